@@ -14,8 +14,8 @@ void self_test_holds(Check& check, const std::string& id, const Solution& soluti
   const exact::SelfTest identities = solution.self_test();
   CHECK(!identities.empty());
   for (const exact::Identity& identity : identities) {
-    check.holds(id + ": The solution satisfies its own identity: " + identity.name + ".", {identity.defect},
-                evidence::Bound{identity.accuracy, identity.reason});
+    check.holds(id + ": The residual of the solution's identity is within its accuracy: " + identity.name + ".",
+                {identity.defect}, evidence::Bound{identity.accuracy, identity.reason});
   }
 }
 

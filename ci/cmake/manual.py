@@ -128,7 +128,7 @@ def page(program, template, version):
     name = pathlib.Path(program).name
     said = read_help(program)
     about, _, _ = said.description.partition("\n")
-    about = about.removeprefix(f"{name}: ").rstrip(".")
+    about = re.sub(rf"^{name}( [\d.]+)?: ", "", about).rstrip(".")
     commands = [command(program, sub, text, said.footer) for heading, group in said.groups.items()
                 if heading not in ("Positionals", "Options") for sub, text in group]
     usages = [usage for _, usage in commands] or [said.usage]

@@ -78,6 +78,10 @@ class Command(Scratch):
         self.assertEqual(seiche("run", "dry_dam_break", "--set", "particles=20", "--out", self.out).returncode, 0)
         self.assertEqual([set_["here"] for set_ in self.record("dry_dam_break")["published"]], [False])
 
+    def test_former_names_are_understood(self):
+        said = seiche("list", "--claims", "slope_run_up_2d", "--set", "beyond_folds=false")
+        self.assertEqual(said.returncode, 0, said.stderr)
+
     def test_a_published_set_cannot_be_changed(self):
         run = ["run", "dry_dam_break", "--as"]
         self.refused(seiche(*run, "bzz-fig-12", "--out", self.out), "bzz-fig-12", "must be one of bzz-fig-6")
@@ -389,7 +393,7 @@ class Command(Scratch):
             self.assertEqual(result.returncode, 0, result.stdout)
             self.assertRegex(result.stdout, "2c is constant")
         result = seiche("exact", "solitary", "--self-test")
-        self.assertRegex(result.stdout, r"3 V = \(F\^2 - 1\) M: defect \S+, accuracy \S+ ")
+        self.assertRegex(result.stdout, r"3 V = \(F\^2 - 1\) M: residual \S+, accuracy \S+ ")
 
 if __name__ == "__main__":
     unittest.main()

@@ -112,7 +112,7 @@ class Inputs(Scratch):
     def test_openfoam(self, name, _):
         if name not in WATER:
             told = self.refused(name, "--write", "openfoam", *self.centres([(0, 0, 0), (0, 0, 1)]))
-            self.assertIn("knows no velocity" if name in NO_VELOCITY else "does not define the free surface", told)
+            self.assertIn("has no velocity field" if name in NO_VELOCITY else "does not define the free surface", told)
             return
         words, places, low, surface, time = self.columns_of(name)
         low = np.maximum(low, -2.6)
@@ -148,7 +148,7 @@ class Inputs(Scratch):
         if name not in WATER or WATER[name][0] is None:
             told = self.refused(name, "--write", "geoclaw", "--grid", "x=0:1:2,t=0" if name == "gerstner"
                                 else grid_of(CATALOGUE[name]) or "x=0:1:2")
-            self.assertIn("knows no velocity" if name in NO_VELOCITY else "finite depth" if name in WATER else
+            self.assertIn("has no velocity field" if name in NO_VELOCITY else "finite depth" if name in WATER else
                           "does not define the free surface", told)
             return
         words, places, low, surface, time = self.columns_of(name)

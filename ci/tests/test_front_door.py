@@ -164,7 +164,7 @@ def centres(folder):
 # What must be there before a command, because the text says that the reader has it. (`./seiche` counts as `seiche`.)
 BEFORE = {
     "seiche exact solitary --write openfoam --centres 0/C --origin 10,0.4 --out 0": centres,
-    "seiche score riemann --data a.csv --data b.csv --data c.csv --sizes 1,0.5,0.25 --seconds 2,8,35": three_sizes,
+    "seiche score riemann --data a.csv --data b.csv --data c.csv --sizes 1,0.5,0.25": three_sizes,
     "seiche compare evidence other_evidence": other_evidence,
     "seiche score riemann --data rusanov.csv --solver textbook-rusanov --out evidence": textbook_result,
     "seiche score riemann --data run/postProcessing/profile --map U_x=u --dx 1 --solver shallowWaterFoam --out evidence":

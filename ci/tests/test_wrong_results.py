@@ -81,7 +81,7 @@ class Riemann(Scoring):
         self.accepted(scored, 1)
         said = [line for line in scored.stdout.splitlines() if not line.startswith("  ")]
         self.assertNotIn("nan", " ".join(said))
-        self.assertIn("the points do not reach the front", scored.stdout)
+        self.assertIn("the submitted points do not reach the front", scored.stdout)
 
     def test_our_own_on_cells_too_coarse_to_tell_says_so_and_decides_the_rest(self):
         self.accepted(seiche("run", "riemann", "--set", "particles=4", "--out", self.out))

@@ -13,6 +13,7 @@ from render import experiments, side_by_side
 PROBLEMS = pathlib.Path(__file__).resolve().parent.parent / "problems.toml"
 STEPS = (0.01, 0.05, 0.1, 0.25)     # of the error, between the shades of a cell
 ENERGY = 0.05                       # a relative change of the energy that is said beside the error
+TIMES = {"sqrt(depth/g)": " √(h/g)", "sqrt(width/g)": " √(a/g)", "1/strain rate": "/\u2060α"}
 
 
 @dataclasses.dataclass
@@ -25,7 +26,7 @@ class Cell:
     readings: int
     uncertainty: float | None = None
     seconds: float | None = None
-    flaws: list = dataclasses.field(default_factory=list)       # words: "exceeds limit", "stops at 0.7", "energy -9 %"
+    flaws: list = dataclasses.field(default_factory=list)       # words: "exceeds limit", "stops at t = 12 √(h/g)", "energy −9 %"
     where: str = ""
 
     @property
@@ -160,10 +161,11 @@ def _of_contest(contest, rows):
                 cells["uncertainty"], cells["processor time"],
                 where=f"{cells['size of']} {cells['size']:g} {contest.units['size']}" if cells["size"] is not None else "")
     if finest.broke:
-        unit = contest.units["lasted"]
-        cell.flaws.append(f"stops at {finest.cells['lasted']:.2g} {unit}".rstrip() if finest.cells["lasted"] else "stops")
+        unit, lasted = contest.units["lasted"], finest.cells["lasted"]
+        time = f"t = {lasted:.2g}{TIMES.get(unit, f' {unit}')}".rstrip().replace(" ", "\u00a0") if lasted else ""
+        cell.flaws.append(f"stops at {time}" if time else "stops")
     elif cells["energy"] is not None and abs(cells["energy"]) > ENERGY:
-        cell.flaws.append(f"energy {100 * cells['energy']:+.0f} %")
+        cell.flaws.append(f"energy {100 * cells['energy']:+.0f}\u00a0%".replace("-", "−"))
     return cell
 
 

@@ -39,7 +39,10 @@ def plural(count, noun, many=None):
 
 
 def percent(share):
-    return "" if share is None else Markup(f"{quantities.plain(100 * share, 2)} %")
+    """Two digits without a power of ten, so that numbers below each other compare."""
+    if share is None:
+        return ""
+    return Markup("&lt;\u00a0" if 0 < abs(share) < 1e-5 else "") + Markup(f"{quantities.plain(100 * max(share, 1e-5) if share else 0, 2)}\u00a0%")
 
 
 def capital(text):

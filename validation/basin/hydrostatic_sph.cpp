@@ -1,21 +1,22 @@
 /*
-Water at rest in a tank, by weakly compressible SPH: it should stay at rest, with the pressure of its depth. It does so
-to the pressures of its walls, which here are made in several ways.
+Water at rest in a tank, computed with weakly compressible SPH: velocities should stay zero and the pressure
+hydrostatic. The error depends on the wall treatment, of which this case compares several.
 
-**Set-up.** A tank 1 m wide with 0.5 m of water, $c_0 = 10\sqrt{2gH}$, $\alpha = 0.1$, XSPH $\epsilon = 0.5$, for 1 or
-2 s. `plain`: wall particles have the density that the equation of continuity gives them; `clamped`: the same, without
-suction; `filter`: densities are filtered every 30 steps; `diffusion`: the density diffusion of delta-SPH, 0.1, with
-corrected gradients; `extrapolated`: the walls take their pressure from the water (Adami, Hu and Adams 2012).
+**Set-up.** A tank 1 m wide with 0.5 m of water, $c_0 = 10\sqrt{2gH}$, $\alpha = 0.1$, XSPH $\epsilon = 0.5$, for 1 or 2
+s. `plain`: wall particles have the density given by the continuity equation; `clamped`: the same, without suction;
+`filter`: density filter every 30 steps; `diffusion`: density diffusion of delta-SPH, 0.1, with corrected gradients;
+`extrapolated`: wall pressure extrapolated from the water (Adami, Hu and Adams 2012).
 
-**What is compared.** Pressures with $\rho_0 g$ times the depth at 21 instants of the second half: all of the water, and
-its core, three smoothing lengths from the walls and the surface; velocities with zero; the centre of mass at the end
-with its first place. Errors swing by half of their size: one instant would tell little.
+**What is compared.** Pressure with $\rho_0 g$ times the depth at 21 instants of the second half of the run: over all of
+the water, and over its core, three smoothing lengths from walls and surface; velocity with zero; the final position of
+the centre of mass with its initial position. Errors oscillate by half of their magnitude, so that one instant is not
+representative.
 
-**What to look at.** The errors of the plain scheme hardly get smaller with the spacing. Part of them is sound that
-the start sets off at the walls, whose particles do not push as the water does; part is noise in the densities, which
-grows with the number of steps. Density diffusion removes the noise, away from the walls most of the error; walls that
-take their pressure from the water make no sound: they are ten times better, until their error is about half the
-compression $gH/c_0^2$ of the water.
+**What to look at.** The pressure error of the plain scheme hardly falls with the spacing. Part of the error is sound
+that the start emits at the walls, whose particles do not respond as water does; the other part is density noise, which
+grows with the number of steps. Density diffusion removes the noise and, away from the walls, most of the error. Walls
+with extrapolated pressure emit no sound: their error is ten times smaller, until it reaches about half the compression
+$gH/c_0^2$ of the water.
 */
 #include <array>
 #include <cmath>
@@ -133,25 +134,26 @@ void claim_rest(const Claims<Rest>& claims, const Option& option, const Values& 
                  bound);
   };
   const Bound pressure =
-      extrapolated ? Bound{.limit = cell, .reason = "the pressure of one spacing of water: no wall is known better"}
-                   : Bound{.limit = 0.05, .reason = "5 % of the pressure at the bottom is what is asked of them"};
+      extrapolated
+          ? Bound{.limit = cell, .reason = "the pressure of one spacing of water, the position uncertainty of a wall"}
+          : Bound{.limit = 0.05, .reason = "5 % of the bed pressure, the accuracy asked of a wall treatment"};
   check("velocity",
         "The rms velocity of water at rest is at most the velocity of a sound wave with the pressure limit, 5 % or one "
         "spacing",
         "rms velocity over sqrt(g H)", &Rest::velocity,
         {.limit = pressure.limit.value() * std::sqrt(compression),
-         .reason = "waves of sound, of pressure rho c u, as high as the pressure may be wrong"});
+         .reason = "sound waves of pressure rho c u equal to the pressure limit"});
   check("core",
         "The pressure away from walls and surface agrees with the hydrostatic one within 5 %, or one spacing of water",
         "rms error over rho g H", &Rest::core, pressure);
   Bound level{.limit = 2 * settings_of(values).smoothing * cell * compression,
               .reason =
-                  "wall particles feel the water within 2h, and carry its weight when it has come nearer by the share "
-                  "g H/c^2 of that"};
+                  "wall particles interact with water within 2h and bear its weight once it has approached by the "
+                  "fraction g H/c^2 of that distance"};
   if (extrapolated) {
-    level = {.limit = 0.5 * cell * compression, .reason = "the pressure of one spacing squeezes the water by as much"};
+    level = {.limit = 0.5 * cell * compression, .reason = "compression by the pressure of one spacing of water"};
   } else if (option.name == "filter") {
-    level = {.limit = 0.5 * cell, .reason = "half a spacing: filtered densities forget the volume of the water"};
+    level = {.limit = 0.5 * cell, .reason = "half a spacing: filtered densities do not retain the volume of the water"};
   }
   check("level",
         "The sinking of the centre of mass is at most the compression g H/c^2 over two smoothing lengths, or half a "
@@ -176,25 +178,24 @@ void claims(const Values& values, const Claims<Results>& claims) {
   };
   const Bound half{.limit = 0.095,
                    .reason =
-                       "first order to a quarter of an order, 0.5 times 2^(1/4): the orders between three lattices, "
+                       "first order to a quarter of an order, 0.5 times 2^(1/4): the orders between three spacings, "
                        "1.0 and 0.8, differ by that much",
                    .expected = 0.5};
   const bool quick = values.tier() == Tier::quick;
   claims
       .fails({.value = quick ? 0.72 : 1.2,
               .width = quick ? 0.1 : 0.2,
-              .reason =
-                  "sound that the start sets off at the walls dies away slowly, and noise in the densities, which no "
-                  "pressure gradient feels, grows with the number of steps: of both there is as much with finer "
-                  "spacings; density diffusion removes the noise, walls that follow the water the sound"},
+              .reason = "sound emitted by the walls at the start decays slowly, and density noise without effect on "
+                        "pressure gradients grows with the number of steps; neither falls with the spacing; density "
+                        "diffusion removes the noise, extrapolated wall pressure the sound"},
              values.standard())
       .check(converges(options.front()), ratio(0), half);
   claims
       .fails({.value = 1.1,
               .width = 0.3,
-              .reason = "the error, 0.3 % of the pressure at the bottom, is about half of g H/c^2, by which the water "
-                        "is compressed, and does not fall below it; after some 1.5 s the lattice begins to break in "
-                        "the corners"},
+              .reason =
+                  "the error, 0.3 % of the pressure at the bottom, is about half of the compression g H/c^2, and does "
+                  "not fall below it; after some 1.5 s the particle arrangement begins to break up in the corners"},
              values.standard() && !quick)
       .check(converges(options.back()), ratio(options.size() - 1), half);
 }

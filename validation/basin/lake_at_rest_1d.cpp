@@ -1,17 +1,15 @@
 /*
-Still water over any bottom is an equilibrium. A model may keep it up to a truncation error, up to round-off, or
-exactly. The dispersive shallow-water model counts heights from the still-water level, so that at rest every force,
-every multiplier and every velocity is not small but zero.
+Still water over any bathymetry is an equilibrium. A model may preserve it to truncation error, to round-off, or
+exactly. The dispersive shallow-water model measures elevation from the still-water level, so that at rest every force,
+multiplier and velocity is exactly zero.
 
-**Set-up.** Two lakes with markers at random distances. One lies over a broken bottom, from a wall to a shoreline, with
-corners at random places inside the cells; the other over a bottom like a cosine, between walls, and once more in a
-periodic channel. Each is left alone until `time`, with every scheme, with compositions of fourth order, and with both
-kinetic energies.
+**Set-up.** Two lakes with randomly spaced nodes. The first has a polygonal bed with corners at random positions inside
+the cells, between a wall and a shoreline; the second a cosine bed, between walls and in a periodic channel. Each runs
+until `time` with every scheme, with fourth-order compositions, and with both kinetic energies.
 
-**What is compared.** The largest velocity, the largest elevation and the largest displacement of any marker, at any
-step, with zero: not one bit may differ.
+**What is compared.** Maximum velocity, elevation and displacement of any node at any step with zero, exactly.
 
-**What to look at.** The picture: the bottom is as rough as `roughness` says, and the lake does not mind.
+**What to look at.** The figure: the amplitude of the bed's roughness is the parameter `roughness`.
 */
 #include <memory>
 #include <numbers>
@@ -65,14 +63,14 @@ Lake broken_lake(Random& random, double spacing, double roughness) {
   knots.insert(knots.end(), {0, 5});  // the shore is a knot, so that the tip is where the bottom is 0 exactly
   elevation.insert(elevation.end(), {0, 1});
   return {"broken",
-          "broken bottom, wall and shoreline",
+          "polygonal bed, wall and shoreline",
           {.bottom = std::make_shared<PiecewiseLinearBottom>(knots, elevation), .right = model::End::tip},
           random_places(random, -length, 0, spacing)};
 }
 
 Lake smooth_lake(Random& random, double spacing, double roughness, bool periodic) {
   Lake lake{periodic ? "periodic" : "smooth",
-            periodic ? "cosine bottom, periodic" : "cosine bottom, walls",
+            periodic ? "cosine bed, periodic" : "cosine bed, walls",
             {.bottom = std::make_shared<CosineBottom>(1, roughness, 6 * std::numbers::pi / length, 0.3)},
             random_places(random, -length, 0, spacing)};
   if (periodic) {
@@ -150,7 +148,7 @@ struct OfLake {
 };
 
 void draw(evidence::Exhibit& exhibit, const std::vector<Lake>& lakes) {
-  auto& figure = exhibit.figure("lakes", "The lakes", "Bottoms, still water, and the markers on its surface.");
+  auto& figure = exhibit.figure("lakes", "The lakes", "Beds, still water, and the surface nodes.");
   for (const Lake& lake : lakes) {
     if (lake.channel.periodic()) continue;
     const bool shore = lake.channel.right == model::End::tip;
@@ -171,7 +169,7 @@ void claims(const Values& values, const Claims<std::vector<OfLake>>& claims) {
                                   const std::string& unit, Worst Unrest::*of) {
       claims
           .at([k](const std::vector<OfLake>& r) {
-            return fmt::format("{} markers, {} steps", r.at(k).markers, r[k].largest().steps);
+            return fmt::format("{} nodes, {} steps", r.at(k).markers, r[k].largest().steps);
           })
           .from("heights counted from the still-water level")
           .check(
@@ -181,7 +179,7 @@ void claims(const Values& values, const Claims<std::vector<OfLake>>& claims) {
     };
     exactly_zero("velocity", "Velocities of water at rest are zero", "largest rate", "(g H)^(1/2)", &Unrest::velocity);
     exactly_zero("elevation", "Elevations of water at rest are zero", "largest elevation", "H", &Unrest::elevation);
-    exactly_zero("displacement", "Displacements of markers in water at rest are zero", "largest displacement", "H",
+    exactly_zero("displacement", "Displacements of nodes in water at rest are zero", "largest displacement", "H",
                  &Unrest::displacement);
   }
 }
@@ -210,7 +208,7 @@ void show(const std::vector<OfLake>& r, const Values& values, evidence::Exhibit&
   const std::vector<Lake> all = lakes(values);
   const std::vector<NamedScheme> named = schemes(values.text("scheme"));
   evidence::Table& table =
-      add_table(exhibit, "unrest", "Largest values at any step", "Of all markers and both kinetic energies.",
+      add_table(exhibit, "unrest", "Largest values at any step", "Over all nodes and both kinetic energies.",
                 {"lake", "scheme", "steps [1]", "velocity [(g H)^(1/2)]", "elevation [H]", "displacement [H]"});
   for (std::size_t k = 0; k < all.size(); ++k) {
     for (std::size_t j = 0; j < named.size(); ++j) {
@@ -228,9 +226,9 @@ void lake_at_rest_1d(Case& c) {
   c.title = "Lake at rest under the dispersive model";
   c.source = literature::frank + ", chapter 3; E. Audusse et al., SIAM J. Sci. Comput. 25 (2004) 2050";
   c.parameters = {
-      real("h", 0.25, "H", {0.02, 2}, "mean distance of markers"),
-      real("roughness", 0.8, "H", {0, 0.95}, "largest deviation of the bottom from its mean depth 1"),
-      integer("seed", 1L, {1, 1e9}, "of the random bottom and markers"),
+      real("h", 0.25, "H", {0.02, 2}, "mean node spacing"),
+      real("roughness", 0.8, "H", {0, 0.95}, "largest deviation of the bed from its mean depth 1"),
+      integer("seed", 1L, {1, 1e9}, "of the random bed and nodes"),
       real("time", {100, 1000, 10000}, "(H/g)^(1/2)", {1, 1e6}, "length of the run"),
       choice("scheme", "all", {"all", "one_step", "one_step_feedback", "conservative"},
              "stepping, alone and in compositions"),

@@ -1,13 +1,13 @@
 /*
-Water moves in a paraboloid without friction (Thacker): it circles, its surface a plane and its disc never deformed, or
-it pulsates, its surface a paraboloid. The shoreline runs over a dry bed in every direction of the plane.
+Frictionless water in a paraboloid (Thacker 1981): a circulating plane surface of constant outline, or a pulsating
+paraboloid. The shoreline runs over a dry bed in both horizontal directions.
 
-**What is compared.** The case shows the water and the identities of the solution, and scores others: depth at three
-gauges, which fall dry while the water circles, and the surface along $y = 0$ at one instant.
+**What is compared.** The case shows the solution and the residuals of its identities, and accepts external results: the
+depth at three gauges, which fall dry under the circulating surface, and the surface along $y = 0$ at one instant.
 
-**What to look at.** The circling water is example `bowl-slosh` of GeoClaw, and the pulsating water with a bowl of 50 m
-and 430.62 km is the test of wetting and drying of Thetis; result files that both have published are scored in
-`examples/solvers/published`.
+**What to look at.** The circulating surface is example `bowl-slosh` of GeoClaw; the pulsating one, in a bowl 50 m deep
+and 430.62 km in radius, is the wetting-and-drying test of Thetis. `examples/solvers/published` scores the result files
+published with both.
 */
 #include <cmath>
 #include <functional>
@@ -126,7 +126,7 @@ std::vector<WantedTable> wanted(const Values& values) {
 }  // namespace
 
 void thacker_bowl(Case& c) {
-  c.title = "Water circles or pulsates in a paraboloid";
+  c.title = "Circulating or pulsating water in a paraboloid";
   c.source =
       "W. C. Thacker, Some exact solutions to the nonlinear shallow-water wave equations, J. Fluid Mech. 107 (1981) "
       "499";

@@ -1,23 +1,22 @@
 /*
-A bore runs into still water before a wall and is thrown back: behind the reflected jump the water is at rest, $h_2$
-deep,
+A bore runs into still water and is reflected by a wall. Behind the reflected bore the water is at rest, of depth $h_2$,
 
 $$u_1 = (h_2 - h_1)\sqrt{\frac{g}{2}\,\frac{h_2 + h_1}{h_1 h_2}}, \qquad a_- = -\frac{u_1 h_1}{h_2 - h_1}.$$
 
 Bogomolov, Zakharov and Zerkal take $h_1 = 1$ m and $u_1 = 1.3$ m/s, ten particles, $\tau = 0.02$ s and a wall at $x =
-10$ m (their figures 13 to 15). The still depth $h_0 = 0.6343$ m follows from $u_1$; they print 0.63. Where the bore
-starts is not stated; it is 5 m here. They report a computed wall depth of **1.36 m beside 1.45 m from the jump
-conditions**.
+10$ m (their figures 13 to 15). The still depth $h_0 = 0.6343$ m follows from $u_1$; they print 0.63. They do not state
+the initial position of the bore; here it is 5 m. They report a computed wall depth of **1.36 m, compared with 1.45 m
+from the jump conditions**.
 
-**What is compared.** The wall depth and the method's own profile after the reflection; the other levels and the
-comparison schemes; and the paper's two printed numbers, the computed one with the rearrangement as written.
+**What is compared.** Wall depth and reconstructed profile after the reflection; the other variants of the method and
+the comparison schemes; the paper's two printed depths, the computed one by the rearrangement as written.
 
-**Your solver.** The profile at `time` is scored as in `riemann`; water comes in at the other end as it is behind the
+**Your solver.** The profile at `time` is scored as in `riemann`; at the other end water enters in the state behind the
 incident bore.
 
-**What to look at.** With the incident *and* the reflected jump handed over, ten particles give 1.45167616 m to all
-digits. By the rearrangement as the paper writes it (see `moving_bore`) the depth at the wall wanders, and 1.36 m is one
-of its values.
+**What to look at.** With the hand-over of both incident and reflected bore, ten particles give 1.45167616 m to all
+printed digits. By the rearrangement as written (see `moving_bore`) the wall depth fluctuates, and 1.36 m is one of its
+values.
 */
 #include <algorithm>
 #include <cmath>
@@ -140,16 +139,17 @@ struct Results {
 void draw_sketches(evidence::Exhibit& exhibit, const FlowProblem& problem, const Mirrored& solution) {
   const auto& bore = solution.reflection.incident();
   const double h1 = bore.behind().depth;
-  auto& panel = add_panel(exhibit, "setup", "Reflection of a bore: the problem", "The bore before it meets the wall.",
-                          {.x = "x [m]", .y = "elevation [m]", .y_min = -0.1, .y_max = 1.6 * h1}, {"bzz-fig-13"});
+  auto& panel =
+      add_panel(exhibit, "setup", "Reflection of a bore: initial state", "The bore before it reaches the wall.",
+                {.x = "x [m]", .y = "elevation [m]", .y_min = -0.1, .y_max = 1.6 * h1}, {"bzz-fig-13"});
   const ProfileCurve before = exact_curve(problem, problem.start, problem.end, 0);
   panel.fill("water", before.x, before.depth, Role::water);
   const double wall = solution.left_wall ? problem.start : problem.end;
   panel.line("wall", std::vector<double>{wall, wall}, std::vector<double>{0, 1.5 * h1}, Role::bed);
 
   const double meeting = solution.reflection.reflection_time();
-  auto& figure = exhibit.figure("exact", "The exact reflection",
-                                "Depth and velocity before and after the bore meets the wall.", {"bzz-fig-14"});
+  auto& figure = exhibit.figure("exact", "Exact reflected bore",
+                                "Depth and velocity before and after the bore reaches the wall.", {"bzz-fig-14"});
   for (const double t : {0.5 * meeting, 1.6 * meeting}) {
     draw_exact(figure, problem, t, fmt::format("t = {:.3g} s", t));
   }
@@ -162,7 +162,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
   claim_conservation(flow, s.problem, s.discretisation, s.time);
   const double reflected_depth = s.reflection().reflected_depth();
   const auto here = claims.at(s.discretisation.text());
-  here.only_if(s.reflected(), "the bore has not met the wall")
+  here.only_if(s.reflected(), "the bore has not reached the wall")
       .from("jump conditions (11) of the paper")
       .check(
           "wall_depth", "The depth at the wall agrees with the jump conditions.", "depth at the wall [m]",
@@ -170,7 +170,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
           Roundoff{.operations = 8 * std::round(s.time / s.discretisation.time_step) *
                                  static_cast<double>(s.discretisation.particles),
                    .scale = reflected_depth,
-                   .reason = "eight rounded operations per step, and per particle the jump has passed",
+                   .reason = "eight rounded operations per step, and per particle that the jump has passed",
                    .expected = reflected_depth});
   claim_exact_profile(flow, reflected_depth, s.discretisation, s.time);
   claim_as_written(figure.of(&ParticleFigure::as_written), values, "bzz-fig-15", s.problem, s.discretisation, s.time,
@@ -207,7 +207,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
   published.check(
       "printed-computed",
       "The paper's computed wall depth of 1.36 m is a value of the rearrangement as written after the reflection.",
-      "depth at the wall that is nearest to it [m]",
+      "wall depth nearest to 1.36 m [m]",
       [computed, since = s.since_the_wall_is_left()](const Results& r) {
         Smallest nearest;
         for (std::size_t k = 0; k < r.time.size(); ++k) {
@@ -240,7 +240,7 @@ Results compute(const Run& run) {
 void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
   const SetUp& s = r.set_up;
   draw_sketches(exhibit, s.problem, s.solution);
-  show_figure(r.figure, exhibit, "A bore before and after it met the wall", {"bzz-fig-15"});
+  show_figure(r.figure, exhibit, "Bore before and after the reflection", {"bzz-fig-15"});
   if (!r.time.empty()) {
     auto& panel = add_panel(exhibit, "wall", "Depth at the wall by the rearrangement as written", "After every step.",
                             {.x = "t [s]", .y = "depth h [m]"});
@@ -254,7 +254,7 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 }  // namespace
 
 void bore_reflection(Case& c) {
-  c.title = "A bore is reflected by a wall";
+  c.title = "Reflection of a bore by a wall";
   c.source = literature::bogomolov + ", figures 13 to 15";
   c.parameters = {
       real("front_depth", 1.0, "m", {1e-3, 1e3}, "depth behind the incident bore"),

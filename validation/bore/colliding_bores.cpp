@@ -1,17 +1,16 @@
 /*
-Two bores, 2 m and 1.5 m deep, run towards each other through still water of 1 m. They meet at $t_c = 4.118$ s and pass:
-after the meeting two weaker jumps enclose water 2.697 m deep, the middle state of the Riemann problem of the two states
+Two bores, of depths 2 m and 1.5 m, run towards each other through still water 1 m deep. They meet at $t_c = 4.118$ s;
+afterwards two weaker bores enclose water 2.697 m deep, the middle state of the Riemann problem between the two states
 behind the bores.
 
-Both ends are pistons; for your solver, ends of the channel from 0 to 100 m where the water comes in. The bores start at
-30 and 70 m.
+Both ends are pistons; for your solver, inflow ends of a channel from 0 to 100 m. The bores start at 30 and 70 m.
 
-**What is compared.** The profile 2 s after the meeting, for several numbers of particles and the three levels of the
-method. Profiles of others are scored as in `riemann`.
+**What is compared.** The profile 2 s after the collision, for several numbers of particles and the three variants of
+the method. External profiles are scored as in `riemann`.
 
-**What to look at.** The collision is the one event in which two jumps share a particle. A method that falls back to
-smeared jumps there leaves a scar at the place of the meeting that decays only as $1/N$; here the particle keeps both
-jumps, and then both that leave it.
+**What to look at.** During the collision two bores share a particle. A method that falls back to smeared bores there
+leaves an error at the collision point that decays only as $1/N$; here the particle holds both incident bores, then both
+outgoing ones.
 */
 #include "seiche/exact/shallow_water/riemann.hpp"
 #include "validation/case/case.hpp"
@@ -72,15 +71,16 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const auto here = claims.at(s.finest().text());
   claim_states(here.of(&Results::flow), s.states(), s.problem.length() / particles);
   here.check(
-      "reconstructed_l1_h", "The profile after the collision is the exact one.", "reconstructed L1(h) [m]",
+      "reconstructed_l1_h", "The profile after the collision equals the exact solution to round-off.",
+      "reconstructed L1(h) [m]",
       [particles](const Results& r) -> Measurement {
         return {.value = r.finest().errors.reconstructed.depth.l1,
                 .told = {.operations = 8 * particles * static_cast<double>(r.finest().steps)}};
       },
       Roundoff{.operations = Amount::told_by_run(8 * particles * most_steps(s.problem, s.finest(), s.time)),
                .scale = s.bores.star().depth,
-               .reason = "both jumps are followed through the particle they share: eight rounded operations per step, "
-                         "and per particle a jump has passed"});
+               .reason = "both bores are tracked through the particle they share: eight rounded operations per step, "
+                         "and per particle that a bore has passed"});
 }
 
 Results compute(const Run& run) {
@@ -96,7 +96,7 @@ Results compute(const Run& run) {
 
 void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
   const SetUp& s = r.set_up;
-  draw_flow(r.flow, exhibit, "Two bores meet", {});
+  draw_flow(r.flow, exhibit, "Collision of two bores", {});
   evidence::Table& table = add_table(exhibit, "levels", "Error of the levels", "Cell L1(h) after the collision.",
                                      {"particles", "G1 [m]", "M2 [m]", "H2 [m]", "H2 reconstructed [m]"});
   for (std::size_t k = 0; k < r.levels.size(); ++k) {
@@ -105,7 +105,7 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
     row.emplace_back(r.levels[k].back().errors.reconstructed.depth.l1);
   }
   auto& panel =
-      add_panel(exhibit, "convergence", "Error against the number of particles", "Cell L1(h) 2 s after the meeting.",
+      add_panel(exhibit, "convergence", "Error against the number of particles", "Cell L1(h) 2 s after the collision.",
                 {.x = "particles", .y = "cell L1(h) [m]", .log_x = true, .log_y = true});
   const std::vector<double> counts(s.particles.begin(), s.particles.end());
   for (std::size_t level = 0; level < particle_schemes.size(); ++level) {
@@ -123,7 +123,7 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 }  // namespace
 
 void colliding_bores(Case& c) {
-  c.title = "Two bores collide";
+  c.title = "Collision of two bores";
   c.source =
       "J. J. Stoker, Water Waves, 1957, 10.7; E. F. Toro, Shock-capturing methods for free-surface shallow flows, 2001";
   c.parameters = {
@@ -132,7 +132,7 @@ void colliding_bores(Case& c) {
       real("left_depth", 2.0, "m", {1e-3, 1e3}, "depth behind the left bore"),
       real("still_depth", 1.0, "m", {1e-3, 1e3}, "depth of the still water between"),
       real("right_depth", 1.5, "m", {1e-3, 1e3}, "depth behind the right bore"),
-      real("after", 2.0, "s", {0.01, 10}, "time after the meeting"),
+      real("after", 2.0, "s", {0.01, 10}, "time after the collision"),
       real("gravity", 9.81, "m/s^2", {1e-3, 1e3}, "acceleration of gravity"),
   };
   c.study = Study(claims, compute, show, "Riemann problem of the states behind the bores");

@@ -3,32 +3,32 @@ A bore of depth $h_1 = 2$ m runs into still water of depth $h_0 = 1$ m. The jump
 
 $$h_1 (u_1 - a) = h_0 (u_0 - a) = m, \qquad m (u_1 - u_0) = \tfrac{g}{2}\left(h_0^2 - h_1^2\right)$$
 
-give its speed $a = \sqrt{g h_1 (h_1 + h_0)/(2 h_0)}$ and the velocity behind it, $u_1 = a (1 - h_0/h_1)$. Bogomolov,
-Zakharov and Zerkal compute it with 120 particles and $\tau = 0.08$ s and print $a = 5.4$ and $u_1 = 2.7$ m/s (their
-figures 9 to 12); both $g = 9.8$ and $9.81$ m/s² fit those digits.
+give the bore speed $a = \sqrt{g h_1 (h_1 + h_0)/(2 h_0)}$ and the velocity behind the bore, $u_1 = a (1 - h_0/h_1)$.
+Bogomolov, Zakharov and Zerkal compute it with 120 particles and $\tau = 0.08$ s and print $a = 5.4$ and $u_1 = 2.7$ m/s
+(their figures 9 to 12); both $g = 9.8$ and $9.81$ m/s² agree with those digits.
 
-The left end is a piston that moves with $u_1$.
+The left end is a piston moving at $u_1$.
 
-**The rearrangement as they wrote it.** Every rectangle moves with its velocity; pairs that overlap or part are rebuilt,
-in an overlap the particle of smaller density, at a gap the faster one; from the new depths follow pressures, from these
-new velocities. If the rebuilt particle would become denser than the other, its position changes as well (their figure
-4): it gets the other's density, and its far side moves, until all pairs touch. The pressure at a shared side, "the
-pressure scheme of [4]", is open in the text: here the state of the particle that was rebuilt. Densities within 1e-9 of
-each other are equal and sides within 1e-11 of the row touch: told apart by the last bit, a sweep over the pairs does
-not end.
+**The rearrangement as written in the source.** Every rectangle moves with its velocity; pairs that overlap or separate
+are rebuilt: in an overlap the particle of smaller density, at a gap the faster one; new depths give pressures, and
+these give new velocities. If the rebuilt particle would become denser than the other, its position changes as well
+(their figure 4): it takes the other's density, and its far side moves, until all pairs touch. The text leaves the
+pressure at a shared side open ("the pressure scheme of [4]"); here it is the state of the rebuilt particle. Densities
+within 1e-9 count as equal and sides within 1e-11 of the channel length as touching: without these tolerances a sweep
+over the pairs does not end.
 
-**What is compared.** The method's own profile with the exact one; the energy of the two-state reconstruction, which
-must fall at exactly the rate that the jump conditions give, $D = g a (h_1 - h_0)^3/(4 h_1)$; the other levels of the
-method and the comparison schemes.
+**What is compared.** The reconstructed profile with the exact one; the energy of the two-state reconstruction, which
+must fall at the rate of the jump conditions, $D = g a (h_1 - h_0)^3/(4 h_1)$; the other variants of the method and the
+comparison schemes.
 
-**Your solver.** The channel is 120 m long, the bore at x = 40 m at the start; water comes in at the left as it is
-behind the bore. Depth and velocity at `steps` times `time_step`, 8 s, are scored as in `riemann`: with the place of the
-bore its speed.
+**Your solver.** The channel is 120 m long, the bore starts at x = 40 m; at the left end water enters in the state
+behind the bore. Depth and velocity at 8 s, `steps` times `time_step`, are scored as in `riemann`: the position of the
+bore gives its speed.
 
-**What to look at.** One particle holds the jump and hands it on to the next, by both rules. By the rearrangement as
-written the depth behind it is not even: a velocity of one side with a pressure of one particle is no solution of the
-jump conditions. By the hand-over nothing else is disturbed, to all digits. Every comparison scheme smears the jump over
-several cells.
+**What to look at.** One particle holds the bore and hands it over to the next, by both rules. By the rearrangement as
+written the depth behind the bore is not uniform: the velocity of a side combined with the pressure of one particle does
+not satisfy the jump conditions. By the hand-over the depth behind is exact to all digits. Every comparison scheme
+smears the bore over several cells.
 */
 #include <stdexcept>
 
@@ -122,7 +122,7 @@ void draw_setup(evidence::Exhibit& exhibit, const exact::Bore& bore) {
   const double h1 = bore.behind().depth;
   const double u1 = bore.behind_velocity();
   auto& piston =
-      add_panel(exhibit, "setup-piston", "A piston drives a bore",
+      add_panel(exhibit, "setup-piston", "Bore driven by a piston",
                 "The piston at the left moves at the velocity of the water behind the bore.",
                 {.x = "x [m]", .y = "elevation [m]", .x_min = 0, .x_max = length, .y_min = -0.1, .y_max = 1.5 * h1},
                 {"bzz-fig-9"});
@@ -131,7 +131,7 @@ void draw_setup(evidence::Exhibit& exhibit, const exact::Bore& bore) {
   piston.line("piston", std::vector<double>{start, start}, std::vector<double>{0, 1.3 * h1}, Role::guide);
   piston.line("bed", std::vector<double>{0, length}, std::vector<double>{0, 0}, Role::bed);
 
-  auto& panel = add_panel(exhibit, "setup", "The bore: the problem", "Depths and velocities at t = 0.",
+  auto& panel = add_panel(exhibit, "setup", "Bore: initial state", "Depths and velocities at t = 0.",
                           {.x = "x [m]",
                            .y = "elevation [m]",
                            .title = fmt::format("behind u = {:.3f} m/s, ahead at rest", u1),
@@ -174,11 +174,11 @@ History follow(const SetUp& s) {
 }
 
 void draw_history(evidence::Exhibit& exhibit, const History& history, const exact::Bore& bore) {
-  auto& energy =
-      add_panel(exhibit, "energy", "Energy against time",
-                "Energy less the work of the piston. Of the two-state reconstruction it falls along the straight "
-                "line of the jump conditions; of particle means it wavers as the transition particle fills.",
-                {.x = "t [s]", .y = "energy - work - E(0) [m$^4$/s$^2$]"});
+  auto& energy = add_panel(
+      exhibit, "energy", "Energy against time",
+      "Energy minus the work of the piston. The energy of the two-state reconstruction falls along the straight line "
+      "of the jump conditions; the energy of particle means fluctuates as the transition particle fills.",
+      {.x = "t [s]", .y = "energy - work - E(0) [m$^4$/s$^2$]"});
   const auto less_work = [&](std::vector<double> values) {
     const double first = values.front();
     for (std::size_t k = 0; k < values.size(); ++k) values[k] = values[k] - history.work[k] - first;
@@ -190,7 +190,7 @@ void draw_history(evidence::Exhibit& exhibit, const History& history, const exac
   energy.line("particle means", history.time, less_work(history.mean_energy), Role::peer);
 
   auto& paths = add_panel(exhibit, "paths", "Paths of particle edges",
-                          "Each line is an edge in the (x, t) plane; the jump is the line along which they bend.",
+                          "Each line is an edge in the (x, t) plane; the bore is the line along which the edges bend.",
                           {.x = "x [m]", .y = "t [s]", .x_min = 30, .x_max = 90});
   const std::size_t edges = history.edges.front().size();
   for (std::size_t e = edges / 4; e < edges * 3 / 4; e += 2) {
@@ -218,7 +218,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
       .where("t = {:g} s")
       .from("D = g a (h1 - h0)^3/(4 h1), Stoker (1957), 10.6")
       .check(
-          "energy", "Energy falls at exactly the rate of the jump conditions.",
+          "energy", "The energy decay equals the rate of the jump conditions to round-off.",
           "largest deviation of the two-state energy [m^4/s^3 s]",
           [s](const Results& r) { return energy_deviation(r.history, s.bore); },
           Roundoff{.operations = static_cast<double>(s.discretisation.particles) + steps,
@@ -257,7 +257,7 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   draw_exact(exhibit.figure("exact", "The exact bore", fmt::format("Depth and velocity at t = {:g} s.", s.time),
                             {"bzz-fig-11"}),
              s.problem, s.time);
-  show_figure(r.figure, exhibit, "A bore runs into still water", {"bzz-fig-12"});
+  show_figure(r.figure, exhibit, "Bore into still water", {"bzz-fig-12"});
   draw_history(exhibit, r.history, s.bore);
   measure_own(wanted_states(s.states()), submitted_profile(r.figure.flow.profile()), exhibit);
 }
@@ -265,7 +265,7 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 }  // namespace
 
 void moving_bore(Case& c) {
-  c.title = "A bore runs into still water";
+  c.title = "Bore into still water";
   c.source = literature::bogomolov + ", figures 9 to 12";
   c.parameters = {
       integer("particles", {120, 1200, 12000}, {12, 1e6}, "particles of equal widths over the channel"),

@@ -1,12 +1,13 @@
 /*
-A piston starts gently, $u = u_p \sin^2(\pi t/4)$ for 2 s and $u_p = 1.5$ m/s from then on, into still water 1 m deep.
-Its compression wave steepens until the characteristics cross, and a bore forms inside smooth flow: nothing tells the
-scheme where or when.
+A piston accelerates gently, $u = u_p \sin^2(\pi t/4)$ for 2 s and $u_p = 1.5$ m/s from then on, into still water 1 m
+deep. The compression wave steepens until the characteristics cross, and a bore forms inside smooth flow, at a position
+and time that are not given to the scheme.
 
-**What is compared.** The position of the bore at $t = 10$ s with the finest run; its width; the depth at the piston,
-which starts at the depth of a simple wave and must settle to that behind a bore.
+**What is compared.** The bore position at $t = 10$ s with the finest run; the bore width; the depth at the piston,
+which starts at the depth of a simple wave and must tend to the depth behind a bore.
 
-**What to look at.** Level `H2` takes the jump into one particle as soon as it stands out against its surroundings.
+**What to look at.** Variant `H2` detects the bore and confines it to one particle as soon as it exceeds the surrounding
+gradient.
 */
 #include <cmath>
 #include <numbers>
@@ -102,19 +103,19 @@ void claims(const Values& values, const Claims<Results>& claims) {
           Uncertainty{.expected = known,
                       .data = 0.005,
                       .useful = 0.06,
-                      .reason = "half a cell width of the fine run (60 m/6400) and the grid convergence here; a tenth "
-                                "of a percent of the way decides"});
+                      .reason = "half a cell width of the fine run (60 m/6400) and the grid convergence here; the "
+                                "uncertainty must stay below 0.1 % of the distance travelled"});
   here.from("the hand-over of the method")
-      .check("width", "The bore that has formed lies inside a single particle.",
-             "particles between 5 % and 95 % of the jump", &Results::width,
-             Bound{.limit = 1, .reason = "one particle holds the jump; none at the instant of hand-over"});
+      .check("width", "The width of the bore formed by the piston is a single particle.",
+             "particles between 5 % and 95 % of the depth difference", &Results::width,
+             Bound{.limit = 1, .reason = "one particle holds the bore; none at the instant of hand-over"});
   here.from("shock relations and Riemann invariants")
       .check("plateau",
              "The depth at the piston is no farther from the depth behind a bore than the depth of a simple wave is.",
              "depth at the piston [m]", &Results::at_piston,
              Bound{.limit = s.simple - s.bore,
-                   .reason = "it starts at the depth of a simple wave; what the forming bore reflects to the piston "
-                             "brings it to the depth behind a bore and never exceeds the first difference",
+                   .reason = "the depth starts at that of a simple wave; reflections from the forming bore bring it to "
+                             "the depth behind a bore, and never exceed the initial difference",
                    .expected = s.bore});
 }
 
@@ -132,7 +133,7 @@ Results compute(const Run& run) {
 }
 
 void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
-  auto& panel = add_panel(exhibit, "profile", "A bore forms inside a compression wave",
+  auto& panel = add_panel(exhibit, "profile", "Formation of a bore inside a compression wave",
                           fmt::format("Depth at t = {:g} s.", time), {.x = "x [m]", .y = "depth h [m]"});
   const std::vector<double> depths = means_of(r.finest).depth;
   panel.steps(fmt::format("{} particles", r.set_up.n.back()), r.finest.edges, depths, Role::computed);
@@ -146,7 +147,7 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 }  // namespace
 
 void shock_formation(Case& c) {
-  c.title = "A bore forms ahead of a piston";
+  c.title = "Formation of a bore ahead of a piston";
   c.source = "J. J. Stoker, Water Waves, 1957, 10.6";
   c.parameters = {
       integer("particles", {50, 200, 800}, {20, 1e5}, "coarsest number of particles; 2, 4 and 8 times as many run too"),
@@ -154,7 +155,7 @@ void shock_formation(Case& c) {
       real("gravity", 9.81, "m/s^2", {0.1, 1e3}, "acceleration of gravity"),
   };
   c.study = Study(claims, compute, show,
-                  "regression: an earlier program for the same scheme with 6400 particles, table "
+                  "regression: reference implementation of the same scheme with 6400 particles, table "
                   "reference_data/regression_shock_formation");
 }
 

@@ -30,7 +30,7 @@ void claim_potential_flow(const Claims<BreakingComparison>& claims, const std::v
   for (std::size_t frame = 0; frame < times.size(); ++frame) {
     claims.from(cauchy).check(
         fmt::format("potential-flow-{:.0f}", 10 * times[frame]),
-        fmt::format("At t = {:g} the surface agrees with potential flow within half a cell and the parts of a jet "
+        fmt::format("The surface at t = {:g} agrees with potential flow within half a cell and the parts of a jet "
                     "thinner than a cell.",
                     times[frame]),
         "largest distance of the two surfaces [1/k]",
@@ -38,28 +38,29 @@ void claim_potential_flow(const Claims<BreakingComparison>& claims, const std::v
           const ComparedSurface& surface = c.finest().frames.at(frame);
           return {.value = surface.distance.largest, .told = {.limit = surface.limit}};
         },
-        Bound{.limit = Amount::told_by_run(2 * finest.cell),
-              .reason = "what a curve of the exact surface's largest curvature bends within a cell, K h^2/8, half a "
-                        "cell at most; of a jet, half a cell and what of the exact one is thinner than a cell"});
+        Bound{
+            .limit = Amount::told_by_run(2 * finest.cell),
+            .reason = "sagitta K h^2/8 of the exact surface's largest curvature K within a cell, half a cell at most; "
+                      "for a jet, half a cell plus the length over which the exact jet is thinner than a cell"});
   }
   claims.from(cauchy).check(
       "vertical-tangent",
       "The time of the first vertical front agrees with potential flow within one step and the time that the wave "
       "takes for half a cell.",
-      "time at which the line of markers first goes backwards, less the exact one [(g k)^(-1/2)]",
+      "time at which the line of markers first overhangs, minus the exact time [(g k)^(-1/2)]",
       [](const BreakingComparison& c) { return c.finest().overturned - c.vertical_tangent; },
       Bound{.limit = finest.cell / (2 * speed) + finest.tau,
-            .reason = "the front is known to half a cell, which the wave travels in that time, and looked at after "
-                      "every step"});
+            .reason = "the front position is known to half a cell, which the wave travels in that time, and is checked "
+                      "after every step"});
   claims.from(cauchy).check(
       "convergence",
-      fmt::format("At t = {:g} cells half as wide bring the surface nearer to potential flow.", times.at(steepest)),
-      "rms distance, finest lattice over coarsest",
+      fmt::format("The surface at t = {:g} on cells half as wide is nearer to potential flow.", times.at(steepest)),
+      "rms distance, finest grid over coarsest",
       [steepest](const BreakingComparison& c) {
         return c.finest().frames.at(steepest).distance.rms / c.lattices.front().frames.at(steepest).distance.rms;
       },
       Bound{.limit = std::pow(0.5, 1.5),
-            .reason = "second order in the cells' width, of which half an order is left to their random shifts"});
+            .reason = "second order in the cell width, with half an order allowed for the random shifts"});
   const double phase = finest.tau * finest.tau / 24;
   const double interpolation = std::pow(finest.cell, 3) / 24;
   claims.from(cauchy).check(
@@ -68,8 +69,8 @@ void claim_potential_flow(const Claims<BreakingComparison>& claims, const std::v
       "h)^3/24 for the splines.",
       "work, relative difference", [](const BreakingComparison& c) { return c.finest().work / c.work - 1; },
       Bound{.limit = phase + interpolation,
-            .reason = "(omega tau)^2/24, by which the steps make the wave lead, and (k h)^3/24, the error of "
-                      "velocities of cubic splines"});
+            .reason =
+                "the phase lead (omega tau)^2/24 of the steps, and (k h)^3/24, the velocity error of cubic splines"});
 }
 
 void tabulate(evidence::Exhibit& exhibit, const BreakingComparison& comparison) {

@@ -1,31 +1,30 @@
 /*
-A periodic wave is pushed by a pressure on its surface until it breaks: the set-up of Longuet-Higgins and Cokelet
-(1976), which Frank computes with free particles under Gauss's principle (figure 10, frames at t =
-0, 3.2, 5.0, 5.4, 6.2, 6.8, 7.2, 7.4).
+A surface pressure forces a periodic wave until it breaks: the set-up of Longuet-Higgins and Cokelet (1976), which Frank
+computes with Gauss-principle particles (figure 10, frames at t = 0, 3.2, 5.0, 5.4, 6.2, 6.8, 7.2, 7.4).
 
 **Set-up.** A Stokes wave of height 0.6, wavelength $2\pi$, on water of mean depth $\pi$, crest at x = 0, in units of
-$g$ and of the density. The surface pressure $-p_0 \sin t \sin(x - t)$ acts for $0 \le t \le \pi$. Frank gives no $p_0$:
-the value of 0.1 is a fit to the times of his frames. Cubic splines on square cells that are shifted at random at every
-step; five particles to a cell's side; the penalty on gradients of vorticity.
+$g$ and of the density. The surface pressure $-p_0 \sin t \sin(x - t)$ acts for $0 \le t \le \pi$. Frank does not state
+$p_0$; the value 0.1 is fitted to the times of his frames. Cubic splines on square cells, shifted at random at every
+step; five particles per cell side; a penalty on vorticity gradients.
 
-**What is compared.** The time at which the surface first overturns with the frames, on which it is smooth at 5.4 and
-overturned at 7.2; the work of the pressure with linear theory, in which a wave of amplitude $a$ grows by
-$\dot a = (p_0/2)\,c \sin t$; the crest's height with that on cells a third wider; the balance of energy. With the
-height and the pressure of the figure the surface of every frame, the time at which the front is first vertical and the
-work are compared with potential flow under the same pressure, which Cauchy's integral gives to many digits
-(`seiche exact pressure_forced_wave`): on the lattice, on cells a third wider and on cells twice as wide.
+**What is compared.** The time at which the surface first overturns, with the frames: smooth at 5.4, overturned at 7.2;
+the work of the pressure with linear theory, in which a wave of amplitude $a$ grows by $\dot a = (p_0/2)\,c \sin t$; the
+crest elevation with that on cells 4/3 as wide; the energy balance. For the height and pressure of the figure, the
+surface of every frame, the time of the first vertical front and the work are compared with potential flow under the
+same pressure, computed with Cauchy's integral to spectral accuracy (`seiche exact pressure_forced_wave`), on three
+grids, of cells 1, 4/3 and 2 times as wide.
 
-**A perturbed initial velocity** (section 6.3) makes a wave break too. The thesis gives no size of it, so that its times
-cannot be tested: here a wave of height 0.7 starts with 1.5 times its velocities. Its first overhang, which is thin, is
-compared with potential flow: at 4.80 on 32 cells and 4.58 on 64, when the exact surface, vertical at 4.43, overhangs by
-0.32 and 0.17 cells.
+**A perturbed initial velocity** (section 6.3) makes a wave break too. The thesis does not state the perturbation, so
+that its times cannot be tested: here a wave of height 0.7 starts with 1.5 times its velocities. The first overhang,
+which is thin, is compared with potential flow: it appears at 4.80 on 32 cells and at 4.58 on 64, when the exact
+surface, vertical at 4.43, overhangs by 0.32 and 0.17 cells.
 
-**What to look at.** The front steepens from 6.2 on, is vertical at 7.01 in potential flow, and throws a jet. Where the
-jet is thinner than a cell, markers have no particles about them and fly on their own: their line shows no more than
-that there is one, and the outline of the particles is compared instead.
+**What to look at.** The front steepens from 6.2 on, is vertical at 7.01 in potential flow, and forms a jet. Where the
+jet is thinner than a cell, surface markers have no particles around them and move ballistically; the outline of the
+particles is compared instead.
 
-**When it is no test.** The amplitude of the pressure is fitted, so that the time of breaking is no prediction of
-Frank's figure; against potential flow it is one.
+**Limits of this test.** The pressure amplitude is fitted, so that the breaking time does not predict Frank's figure;
+the comparison with potential flow is independent of the fit.
 */
 #include <algorithm>
 #include <cmath>
@@ -261,48 +260,55 @@ Results compute(const Run& run) {
 
 void claims(const Values& values, const Claims<Results>& all) {
   const Claims<Results> claims =
-      all.at(fmt::format("{} cells, {} particles to a side, tau = {:g}", values.integer("cells"),
+      all.at(fmt::format("{} cells, {} particles per side, tau = {:g}", values.integer("cells"),
                          values.integer("per_cell"), values.real("tau")));
   const double pressure = values.real("pressure");
   claims
       .only_if(pressure == 0.1 && values.real("height") == 0.6,
-               "the frames are met with a height of 0.6 and a pressure of 0.1")
-      .check("overturns", "With the fitted pressure the surface overturns between the frames of 6.2 and 7.2.",
-             "time at which the line of markers first goes backwards [(g k)^(-1/2)]", &Results::overturned,
+               "the frames apply to a height of 0.6 and a pressure of 0.1")
+      .check("overturns", "The time of overturning with the fitted pressure lies between the frames at 6.2 and 7.2.",
+             "time at which the line of markers first overhangs [(g k)^(-1/2)]", &Results::overturned,
              Bound{.limit = 0.5,
                    .reason = "half of the time between the frames in which the source draws a steep front and a jet",
                    .expected = 6.7});
   const exact::StokesWave wave = wave_of(values);
   claim_potential_flow(
-      claims.only_if(compared(values), "potential flow is compared for a height of 0.6 and a pressure of 0.1")
+      claims
+          .only_if(compared(values),
+                   "the potential-flow reference is computed for a height of 0.6 and a pressure of 0.1")
           .of(&Results::comparison),
       frame_times, steepest, lattice(values, values.integer("cells")), wave.phase_speed());
-  claims.only_if(compared(values), "once is enough: beside the wave of the figure")
+  claims.only_if(compared(values), "computed once, beside the wave of the figure")
       .from("Frank (1994), section 6.3; " + cauchy)
       .check("perturbed-velocity",
-             "The overturning of a wave of height 0.7 with 1.5 times its own initial velocities agrees with potential "
-             "flow within half a cell.",
-             "overhang of potential flow when the line of markers first goes backwards [1/k]", &Results::overhang,
+             "The overhang of a wave of height 0.7 with 1.5 times its initial velocities agrees with potential flow "
+             "within half a cell.",
+             "overhang of potential flow when the line of markers first overhangs [1/k]", &Results::overhang,
              Bound{.limit = lattice(values, values.integer("cells")).cell / 2,
-                   .reason = "half a cell, to which the lattice knows a front"});
+                   .reason = "half a cell, the position uncertainty of a front on the grid"});
   const double first = wave.amplitude();
   const double last = first + pressure * wave.phase_speed();
   claims.only_if(pressure > 0, "without a pressure there is no work")
       .from("Stokes waves of small amplitude: da/dt = (p0/2) c sin t, energy rho g a^2/2")
-      .check("work", "The pressure does the work of linear theory, but for what the wave's steepness changes.",
+      .check("work",
+             "The work of the surface pressure agrees with linear theory to the order of the wave steepness, (k a)^2.",
              "work of the pressure on a wavelength [rho g/k^3]", &Results::work,
              Bound{.limit = last * last,
-                   .reason = "theory of finite amplitude changes the energy by a part (k a)^2",
+                   .reason = "finite amplitude changes the energy by a fraction (k a)^2",
                    .expected = forced_length / 2 * (last * last - first * first),
                    .relative = true});
-  claims.only_if(values.real("at") <= 6.2, "the crest then is a jet, which no lattice resolves")
-      .check("crest", fmt::format("The crest height at t = {:g} agrees with cells a third wider.", values.real("at")),
-             "difference of its heights [1/k]", &Results::crest_change,
+  claims.only_if(values.real("at") <= 6.2, "the crest is then a jet, which no grid resolves")
+      .check("crest",
+             fmt::format(
+                 "The crest elevation at t = {:g} agrees with that on cells 4/3 as wide within 1 % of the wave height.",
+                 values.real("at")),
+             "difference of crest elevations [1/k]", &Results::crest_change,
              Bound{0.01 * values.real("height"),
-                   "a hundredth of the wave's height: in a figure in which it is 3 cm high, the width of a line"});
+                   "1 % of the wave height: the line width of a figure in which the wave is 3 cm high"});
   claims.from("Frank (1994), chapter 6; the discrete work is exact")
-      .check("energy", "The energy changes by the work of the pressure and by what the penalty takes, to round-off.",
-             "largest defect [rho g/k^3]", &Results::balance,
+      .check("energy",
+             "The energy change equals the work of the pressure minus the dissipation of the penalty, to round-off.",
+             "largest energy error [rho g/k^3]", &Results::balance,
              Roundoff{.operations = frame_times.back() / values.real("tau"),
                       .scale = 1,
                       .reason = "one rounding per step of energies below 1"});
@@ -335,11 +341,11 @@ void draw_frames(evidence::Figure& figure, const std::vector<Frame>& frames) {
 }
 
 void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
-  draw_frames(
-      exhibit.figure("frames", "The wave breaks", "The surface at the times of the source's frames.", {"frank-fig-10"}),
-      r.frames);
-  auto& film =
-      exhibit.figure("film", "The wave steepens and breaks", "The surface from t = 3 on, seen from its crest.");
+  draw_frames(exhibit.figure("frames", "Breaking of the wave", "The surface at the times of the source's frames.",
+                             {"frank-fig-10"}),
+              r.frames);
+  auto& film = exhibit.figure("film", "Steepening and breaking of the wave",
+                              "The surface from t = 3 on, relative to the crest.");
   film.drawing = "film";
   draw_frames(film, r.film);
   if (r.comparison.vertical_tangent > 0) tabulate(exhibit, r.comparison);
@@ -351,19 +357,19 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 }  // namespace
 
 void breaking_gauss(Case& c) {
-  c.title = "A wave is forced by pressure until it breaks: Gauss-principle particles";
+  c.title = "Wave forced by surface pressure until breaking: Gauss-principle particles";
   c.source = source;
   c.parameters = {
       real("height", 0.6, "1/k", {0.01, 0.87}, "of the wave, from trough to crest"),
-      integer("cells", {32, 60, 80}, {16, 400}, "cells of the lattice to a wavelength"),
-      integer("per_cell", 5, {3, 40}, "particles to a cell's side"),
+      integer("cells", {32, 60, 80}, {16, 400}, "cells per wavelength"),
+      integer("per_cell", 5, {3, 40}, "particles per cell side"),
       real("tau", {0.025, 0.0133, 0.01}, "(g k)^(-1/2)", {1e-4, 0.1}, "time step"),
       real("pressure", 0.1, "rho g/k", {0, 0.2},
            "p0, amplitude of the surface pressure; fitted to the source's frames"),
       real("at", 6.2, "(g k)^(-1/2)", {0, 7.4}, "when the crest is measured"),
   };
   c.published = {{.tiles = {"frank-fig-10"},
-                  .differs = "a penalty on gradients of vorticity; the pressure, which the thesis does not state, is "
+                  .differs = "a penalty on vorticity gradients; the pressure, which the thesis does not state, is "
                              "fitted to the times of its frames"}};
   c.study = Study(claims, compute, show, source);
 }

@@ -1,31 +1,31 @@
 /*
-A flap makes waves as high as the water is deep, $H = d = 1.3$ cm, $L = 10$ cm. The second one plunges: weakly
-compressible SPH without and with the stress of unresolved eddies (figure 6 of the publication). Figure 4 is the wave
-from which others computed such a breaker with boundary elements.
+A flap generates waves of $H = d = 1.3$ cm and $L = 10$ cm. The second wave plunges, computed with weakly compressible
+SPH without and with sub-particle-scale (SPS) stress (figure 6 of the publication). Figure 4 is the wave from which
+others computed such a breaker with boundary elements.
 
-**Set-up.** Linear theory gives a stroke of 3.05 cm and a period of 0.308 s; the flap turns rigidly, by up to 50
-degrees, and its rows of particles are three deep, so that no jet gets through. $\alpha = 0.01$, $h = 0.065$ cm,
-density filter every 30 steps, $c_0 = 10\sqrt{gd}$: spray moves at a third of it. Sound as fast as the publication asks,
-ten times the largest speed, grows by steps of $0.3\,h/c$ with so little viscosity, until a particle loses half of its
-density. The upper pictures are by the viscosity that the parameters say, those below with the stress.
+**Set-up.** Linear theory gives a stroke of 3.05 cm and a period of 0.308 s; the flap rotates rigidly, by up to 50
+degrees, and has three layers of particles, so that no jet passes through. $\alpha = 0.01$, $h = 0.065$ cm, density
+filter every 30 steps, $c_0 = 10\sqrt{gd}$: spray reaches a third of it. A sound speed of ten times the maximum
+velocity, as the publication asks for, is unstable with steps of $0.3\,h/c$ at this low viscosity, until a particle
+loses half of its density. Upper pictures: the viscosity of the parameters; lower pictures: with SPS stress.
 
-**What is compared.** Frames at 0.30, 0.38 and 0.46 periods after the first one. The publication says of them: with the
-stress the front is steeper, the cavity larger, and the profile nearer to boundary elements
-(`overturning_sph`); without it the cavity is smaller and the jet touches down at 0.46 T. Each is claimed, with the
-change from the next coarser lattice as the uncertainty of a difference. Beside the frames stands the surface of the
-exact potential flow from the wave of figure 4, at the same parts of its own period; distances to it are taken above
-still water, after a shift along $x$ to where the two are nearest.
+**What is compared.** Frames at 0.30, 0.38 and 0.46 T after the first one. The publication states that with the stress
+the front is steeper, the cavity larger and the profile nearer to boundary elements (`overturning_sph`), and that
+without it the cavity is smaller and the jet impacts at 0.46 T. Each statement is a claim; the change from the next
+coarser spacing is the uncertainty of a difference. The surface of the exact potential flow from the wave of figure 4 is
+shown beside the frames, at the same fractions of its own period; distances to it are taken above the still-water level,
+after the shift along $x$ that minimises them.
 
-**What cannot be compared, and why.** There is no permanent wave of this height: the limit is $H/L = 0.096$. The flap's
-wave and the cosine of figure 4 are different waves with different clocks. The publication does not give the length of
-its flume, the height of its paddle or the phase in which the paddle starts, and no curve in numbers; so the frames are
-shown and the events timed. Here the flap starts from the middle of its stroke at full speed, and the front hangs over
-at 1.14 periods, in a flume of two wavelengths as in one of three. Counted from the rearmost position of the flap, a
-quarter of a period earlier, that is 1.39, beside 1.38 in the publication; whether it counts from there, it does not
-say. A direct comparison with potential flow, from one and the same start, is `overturning_sph`.
+**What cannot be compared, and why.** No permanent wave of this height exists: the limit is $H/L = 0.096$. The wave of
+the flap and the cosine of figure 4 are different waves with different time origins. The publication does not state the
+length of its flume, the height or initial phase of its paddle, and gives no curve in numbers; so the frames are shown
+and the events timed. Here the flap starts from the middle of its stroke at full speed, and the front overhangs at 1.14
+T, in a flume of two wavelengths as in one of three. Counted from the rearmost position of the flap, T/4 earlier, it
+overhangs at 1.39 T, compared with 1.38 T in the publication, which does not state its origin of time. A direct
+comparison with potential flow, from the same initial state, is `overturning_sph`.
 
-**What to look at.** A spilling tongue is there at 0.30 already. The largest speed, in spray, has no limit for fine
-spacings.
+**What to look at.** A spilling tongue is present at 0.30 T already. The maximum velocity, in spray, does not converge
+with the spacing.
 */
 #include <algorithm>
 #include <array>
@@ -280,7 +280,8 @@ void claim_model(const Claims<Runs>& claims, const Model& model) {
                   .reason = "a wave as high as the water is deep is above the steepest permanent one"});
   on_finest.check("contained-" + model.id,
                   fmt::format("The number of particles behind the flap or through a wall is zero ({}).", model.name),
-                  "particles outside at the end", &SphPlunged::lost, Bound{.limit = 0, .reason = "walls are tight"});
+                  "particles outside at the end", &SphPlunged::lost,
+                  Bound{.limit = 0, .reason = "walls are impermeable"});
 }
 
 void claims(const Values& values, const Claims<Results>& all) {
@@ -298,30 +299,32 @@ void claims(const Values& values, const Claims<Results>& all) {
       return with_stress(0) > std::abs(with_stress(0) - with_stress(1));
     };
   };
-  const std::string detector = "a difference above its change from the next coarser lattice";
+  const std::string detector = "a difference above its change from the next coarser spacing";
   const Qualitative shown{.detector = detector, .reason = "the publication shows it in figure 6"};
   const std::string elsewhere =
       "the publication gives neither its flume nor the phase in which its flap starts; here the wave breaks 0.15 T "
       "earlier than in its frames, ";
   claims.fails({.value = 0, .reason = elsewhere + "with and without the stress at the same hundredth of T"})
-      .check("steeper", "The front with the stress of unresolved eddies is steeper: it hangs over earlier.", "it does",
+      .check("steeper", "The front with SPS stress is steeper and overhangs earlier than without.", "it does",
              more([](const SphPlunged& run) { return -run.hangs_over; }), shown);
   claims
       .fails({.value = 0,
-              .reason = elsewhere + "and the air that it encloses is a few spacings wide, less than lattices tell"})
-      .check("larger-cavity", "The cavity with the stress of unresolved eddies is larger than without.", "it is",
+              .reason = elsewhere + "and the enclosed air is a few spacings wide, less than the spacings resolve"})
+      .check("larger-cavity", "The cavity with the SPS stress is larger than without.", "it is",
              more([](const SphPlunged& run) { return std::isnan(run.touches) ? 0.0 : run.cavity.value(); }), shown);
   claims
-      .fails({.value = 0,
-              .reason = elsewhere + "both are 0.03 to 0.04 L from the cosine's wave, with the stress 2 to 4 % farther"})
-      .check("nearer", "The surface with the stress of unresolved eddies is nearer to potential flow from a cosine.",
-             "it is", more([](const SphPlunged& run) { return -run.distance; }), shown);
-  claims
       .fails(
-          {.value = 0.31, .width = 0.06, .reason = elsewhere + "by 0.10 T later if its clock starts a quarter earlier"})
+          {.value = 0,
+           .reason = elsewhere +
+                     "both surfaces are 0.03 to 0.04 L from the wave of the cosine, with the stress 2 to 4 % farther"})
+      .check("nearer", "The surface with the SPS stress is nearer to potential flow from a cosine.", "it is",
+             more([](const SphPlunged& run) { return -run.distance; }), shown);
+  claims
+      .fails({.value = 0.31,
+              .width = 0.06,
+              .reason = elsewhere + "later by 0.10 T if the publication's time starts T/4 earlier"})
       .check(
-          "touch-down", "The jet without the stress of unresolved eddies touches down at 0.46 T.",
-          "time after the first period [T]",
+          "touch-down", "The time of jet impact without SPS stress is 0.46 T.", "time after the first period [T]",
           [](const Results& r) {
             const SphPlunged& standard = r.runs.front().back();
             return std::isnan(standard.touches) ? 1 : standard.touches - 1;
@@ -367,11 +370,11 @@ void draw(evidence::Exhibit& exhibit, const std::vector<Model>& models, const Re
   sketch.line("surface", first.first, first.second, Role::exact);
   sketch.line("bottom", std::array{0.0, 1.0}, std::array{0.0, 0.0}, Role::guide);
 
-  auto& figure = exhibit.figure(
-      "frames", "Plunging wave",
-      "Speed of the water without and with the stress of unresolved eddies, t/T counted from the start of the flap; "
-      "last row: potential flow from the cosine, at the same parts of its own period, another wave.",
-      {"sph-fig-6"});
+  auto& figure =
+      exhibit.figure("frames", "Plunging wave",
+                     "Speed of the water without and with the SPS stress, t/T counted from the start of the flap; last "
+                     "row: potential flow from the cosine, at the same parts of its own period, another wave.",
+                     {"sph-fig-6"});
   for (std::size_t m = 0; m < models.size(); ++m) {
     const SphPlunged& finest = r.runs[m].back();
     for (std::size_t k = 0; k < frames.size(); ++k) {
@@ -393,7 +396,7 @@ void draw(evidence::Exhibit& exhibit, const std::vector<Model>& models, const Re
                 .y_max = 0.4})
         .line("surface", curve.first, curve.second, Role::exact);
   }
-  auto& panel = add_panel(exhibit, "jet", "Path of the tip of the jet", "Until it touches the water ahead.",
+  auto& panel = add_panel(exhibit, "jet", "Path of the jet tip", "Until impact on the water ahead.",
                           {.x = "x/L", .y = "z/L", .equal_aspect = true});
   for (std::size_t m = 0; m < models.size(); ++m) {
     const SphPlunged& finest = r.runs[m].back();
@@ -424,7 +427,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 }  // namespace
 
 void flap_plunging_sph(Case& c) {
-  c.title = "The second wave of a flap plunges: weakly compressible SPH";
+  c.title = "Plunging of the second wave of a flap: weakly compressible SPH";
   c.source = literature::plunging_sph + ", figures 4 and 6";
   c.tiers = {Tier::quick, Tier::full, Tier::paper};
   c.parameters = with({real("period", 0.308, "s", {0.01, 10}, "period T of the flap"),

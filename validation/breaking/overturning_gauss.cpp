@@ -1,23 +1,24 @@
 /*
-The steep wave of `overturning_sph` overturns and plunges, by free particles under Gauss's principle of least
-constraint, beside SPH and the exact potential flow from the same start.
+The steep wave of `overturning_sph` overturns and plunges, computed with Gauss-principle particles, beside SPH and the
+exact potential flow from the same initial state.
 
-**Set-up.** One wavelength of a periodic layer, of depth 0.13 wavelengths; the surface begins as a cosine as high as
-the water is deep, with the velocities of linear theory, which are an exact potential flow under any surface. Units of
-$1/k$, $g$ and the density. Cubic splines on square cells, shifted at random at every step, six particles to a cell's
-side, the penalty on gradients of vorticity. SPH runs from the same velocities and exact pressures, as in its own case.
+**Set-up.** One wavelength of a periodic layer, $d/L = 0.13$; the initial surface is a cosine of height $H = d$ with the
+velocities of linear theory, which are an exact potential flow under any surface. Units of $1/k$, $g$ and the density.
+Cubic splines on square cells, shifted at random at every step; six particles per cell side; a penalty on vorticity
+gradients. SPH starts from the same velocities and exact pressures, as in its own case.
 
-**What is compared.** The surface with the boundary-integral computation (`seiche exact overturning_wave`) at
-five times up to a developed jet: the line of markers until the exact front is vertical, then the outline of the
-particles, for markers in a jet thinner than a cell have no mass about them. When the front is first vertical; the
-energy, which changes by what the penalty takes. A table shows the distances beside SPH, and the processor
-time of both, which is not scored.
+**What is compared.** The surface with the boundary-integral computation (`seiche exact overturning_wave`) at five times
+up to a developed jet: the line of surface markers until the exact front is vertical, then the outline of the particles,
+because markers in a jet thinner than a cell have no mass around them. The time of the first vertical front; the energy,
+which changes by what the penalty dissipates. A table shows the distances beside the SPH ones, and the processor time of
+both, which is not scored.
 
-**What to look at.** Up to the vertical front the particles are nearer to the exact surface by two orders of magnitude
-than SPH in the same time, and by more than one with a developed jet; no lattice of `overturning_sph` comes as near, up
-to 800 spacings in a wavelength. The whole jet is right to a part of a cell.
+**What to look at.** Up to the vertical front the distance of the Gauss-principle particles from the exact surface is
+smaller than the SPH distance by two orders of magnitude at equal processor time, and by more than one with a developed
+jet; no resolution of `overturning_sph` is as accurate, up to 800 spacings per wavelength. The whole jet is accurate to
+a fraction of a cell.
 
-**When it is no test.** The water never touches itself here; what lands is SPH's part (`flap_plunging_sph`).
+**Limits of this test.** The jet does not impact here; impact is tested with SPH (`flap_plunging_sph`).
 */
 #include <algorithm>
 #include <array>
@@ -191,13 +192,12 @@ void claims(const Values& values, const Claims<Results>& all) {
   const long cells = values.integer("cells");
   const double cell = cell_of(cells);
   const double tau = step_of(wave, cells);
-  const Claims<Results> claims =
-      all.at(fmt::format("{} cells, {} particles to a side, tau = {:.3g}", cells, side, tau));
+  const Claims<Results> claims = all.at(fmt::format("{} cells, {} particles per side, tau = {:.3g}", cells, side, tau));
   for (std::size_t i = 0; i < instants.size(); ++i) {
     claims.check(
         "distance-" + instants[i].id,
-        instants[i].when +
-            " the surface agrees with potential flow within half a cell and the parts of a jet thinner than a cell.",
+        "The surface " + instants[i].when +
+            " agrees with potential flow within half a cell and the parts of a jet thinner than a cell.",
         "largest distance of the surfaces [1/k]",
         [i](const Results& r) -> Measurement {
           return {.value = r.finest().distances.at(i).largest,
@@ -205,34 +205,36 @@ void claims(const Values& values, const Claims<Results>& all) {
                   .told = {.limit = r.limits.at(i)}};
         },
         Bound{.limit = Amount::told_by_run(2 * cell),
-              .reason = "what a curve of the exact surface's largest curvature bends within a cell, K h^2/8, half a "
-                        "cell at most; of a jet, half a cell and what of the exact one is thinner than a cell"});
+              .reason =
+                  "sagitta K h^2/8 of the exact surface's largest curvature K within a cell, half a cell at most; "
+                  "for a jet, half a cell plus the length over which the exact jet is thinner than a cell"});
   }
   claims.check(
       "vertical-tangent",
       "The time of the first vertical front agrees with potential flow within one step and the time that the wave "
       "takes for half a cell.",
-      "time at which the line of markers first goes backwards, less the exact one [(g k)^(-1/2)]",
+      "time at which the line of markers first overhangs, minus the exact time [(g k)^(-1/2)]",
       [](const Results& r) { return r.turned - r.vertical; },
       Bound{.limit = cell * wave.period() / (2 * wavelength) + tau,
-            .reason = "the front is known to half a cell, which the wave travels in that time, and looked at after "
-                      "every step"});
+            .reason = "the front position is known to half a cell, which the wave travels in that time, and is checked "
+                      "after every step"});
   claims.check(
-      "convergence", "Halfway to a vertical front cells half as wide bring the surface nearer to potential flow.",
-      "rms distance, finer lattice over coarser",
+      "convergence", "The surface halfway to a vertical front on cells half as wide is nearer to potential flow.",
+      "rms distance, finer grid over coarser",
       [](const Results& r) { return r.finest().distances[0].rms / r.particles[0].distances[0].rms; },
       Bound{.limit = std::pow(0.5, 1.5),
-            .reason = "second order in the cells' width, of which half an order is left to their random shifts"});
+            .reason = "second order in the cell width, with half an order allowed for the random shifts"});
   claims.from("Frank (1994), chapter 6; exact for every space and step")
-      .check("energy", "The energy changes by what the penalty takes, to round-off.",
-             "largest defect over the kinetic energy", &Results::energy,
+      .check("energy", "The energy change equals the dissipation of the penalty, to round-off.",
+             "largest energy error over the kinetic energy", &Results::energy,
              Roundoff{.operations = std::ceil(last_phase * wave.period() / tau),
                       .scale = 2,
                       .reason = "one rounding per step of the kinetic and the potential energy"});
 }
 
 void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
-  auto& figure = exhibit.figure("surfaces", "The wave overturns", "Finer lattice of the free particles, and SPH.");
+  auto& figure =
+      exhibit.figure("surfaces", "Overturning of the wave", "Finer grid of the Gauss-principle particles, and SPH.");
   for (std::size_t i = 0; i < instants.size(); ++i) {
     auto& panel =
         figure.panel({.x = "k x", .y = "k y", .title = fmt::format("t = {:.2f}", r.times[i]), .equal_aspect = true});
@@ -263,12 +265,12 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 }  // namespace
 
 void overturning_gauss(Case& c) {
-  c.title = "A steep wave overturns: Gauss-principle particles beside SPH";
+  c.title = "Overturning of a steep wave: Gauss-principle particles beside SPH";
   c.source = source;
   c.parameters = {
-      real("height", 0.13, "L", {0.02, 0.14}, "height H of the cosine it begins with"),
+      real("height", 0.13, "L", {0.02, 0.14}, "height H of the initial cosine"),
       real("depth", 0.13, "L", {0.1, 1}, "depth of the water at rest"),
-      integer("cells", {48, 80, 80}, {32, 200}, "of the lattice to a wavelength; a second one has half as many"),
+      integer("cells", {48, 80, 80}, {32, 200}, "cells per wavelength; a second grid has half as many"),
       integer("columns", {100, 280, 280}, {40, 2000}, "particle spacings of SPH in a wavelength"),
   };
   c.study = Study(claims, compute, show, source);

@@ -1,28 +1,27 @@
 /*
-A steep wave overturns and plunges, by weakly compressible SPH, beside the exact potential flow from the same start:
-what a plunging breaker by particles is worth, as a number.
+A steep wave overturns and plunges, computed with weakly compressible SPH, beside the exact potential flow from the same
+initial state: the accuracy of a plunging breaker computed with particles, as a number.
 
-**Set-up.** One wavelength $L$ of a periodic layer of depth $d = 0.13 L$ over a level bottom. The surface begins as a
-cosine of height $H = 0.13 L$, far too high to travel on. The initial velocities follow linear theory,
-which are an exact potential flow under any surface, and so are the pressures, from a harmonic series that makes them
-zero at the surface: nothing is left to settle. Lengths are in metres, $L = 1$ m; the scheme knows no other length than
-the spacing.
+**Set-up.** One wavelength $L$ of a periodic layer of depth $d = 0.13 L$ over a level bed. The initial surface is a
+cosine of height $H = 0.13 L$, far steeper than any permanent wave. The initial velocities follow linear theory, an
+exact potential flow under any surface; the initial pressures are a harmonic series that vanishes at the surface, so
+that the start emits no sound. Lengths are in metres, $L = 1$ m; the scheme has no other length scale than the spacing.
 
-**What is compared.** The surface, where the share of water is one half, with the boundary-integral computation
-(`overturning_wave`) at several times up to a developed jet: root mean square and largest distance of the two curves, on
-four lattices. When the front first hangs over by a hundredth of the wavelength. Energy, mean level, jet impact.
+**What is compared.** The surface, the contour of volume fraction 0.5, with the boundary-integral computation
+(`overturning_wave`) at several times up to a developed jet: rms and maximum distance of the two curves, at four
+spacings. The time at which the front first overhangs by $L/100$. Energy, mean level, jet impact.
 
-A table compares schemes of the same kind: without viscosity, with the stress of unresolved eddies, with other walls,
-with fewer neighbours, as in the publications of the scheme ($h = 1.3\,dx$, cubic spline); and at the same processor
-time, on wider spacings, with density diffusion and with particle shifting.
+A table compares schemes of the same kind: without viscosity, with sub-particle-scale (SPS) stress, with other walls,
+with fewer neighbours, as in the publications of the scheme ($h = 1.3\,dx$, cubic spline); and at equal processor time,
+at larger spacings, with density diffusion and with particle shifting.
 
-**What to look at.** Until the front is steep the surface is right to a few tenths of a spacing, with a developed jet to
-about half a spacing; the distance falls in proportion to the spacing, down to what the finite sound speed leaves, and
-the tip of the jet is what arrives last. At the processor time of 200 columns density diffusion and particle shifting
-together keep the energy to a thousandth, of which the first scheme loses 5 %. By their distances, 2.4 to 3.1
-thousandths of the wavelength with a developed jet, the schemes cannot be told apart: two columns more have changed that
-with shifting by a quarter. What particles lose is mostly potential energy, for the layer settles on its bottom by a
-part of a spacing; the kinetic energy is within a few per cent of potential flow.
+**What to look at.** Until the front is steep the surface is accurate to a few tenths of a spacing, with a developed jet
+to about 0.5; the distance falls in proportion to the spacing, down to the error of the finite sound speed, and the tip
+of the jet lags most. At the processor time of 200 columns density diffusion and particle shifting together conserve
+energy to 0.1 %, of which the first scheme loses 5 %. By their distances, 0.0024 to 0.0031 $L$ with a developed jet, the
+schemes are indistinguishable: two more columns change the distance with shifting by a quarter. The energy lost is
+mostly potential, because the layer settles on its bed by a fraction of a spacing; the kinetic energy is within a few
+per cent of potential flow.
 */
 #include <algorithm>
 #include <array>
@@ -163,13 +162,13 @@ void claim_distances(const Claims<Results>& claims, const Values& values) {
   for (std::size_t i = 0; i < instants.size(); ++i) {
     claims.check(
         "distance-" + instants[i].id,
-        fmt::format("{} the surface agrees with potential flow to one spacing.", instants[i].when),
+        fmt::format("The surface {} agrees with potential flow within one spacing (rms).", instants[i].when),
         "rms distance of the surfaces [m]",
         [i](const Results& r) -> Measurement {
           return {.value = r.distances.at(i).back().rms, .where = fmt::format("t = {:.3f} s", r.times.at(i))};
         },
         Bound{.limit = spacing,
-              .reason = "one spacing of the particles: no surface of theirs is known better than to a part of it"});
+              .reason = "one particle spacing, of which the surface position is uncertain by a fraction"});
   }
 }
 
@@ -179,8 +178,8 @@ void claim_stress(const Claims<Results>& claims) {
       .from("Plunging breaking waves by weakly compressible smoothed particles, figure 6")
       .check(
           "nearer-with-stress",
-          "The rms distance of a developed jet from potential flow with the stress of unresolved eddies is below 1 "
-          "times the distance with artificial viscosity.",
+          "The rms distance of a developed jet from potential flow with the SPS stress is below 1 times the distance "
+          "with artificial viscosity.",
           "rms distance over that with artificial viscosity",
           [](const Results& r) { return r.others_rms[stress].back() / r.others_rms[as_set].back(); },
           Bound{.limit = 1, .reason = "the publication says so; equal distances would give 1"});
@@ -202,8 +201,8 @@ void claim_equal_cost(const Claims<Results>& claims) {
             return change(diffusion_and_shifting) / change(as_set);
           },
           Bound{.limit = 0.5,
-                .reason = "the source finds less dissipation on equal spacings; a lattice finer by sqrt(2) takes a "
-                          "seventh off the change, so that half of it is not the spacing's"});
+                .reason = "the source finds less dissipation at equal spacings; a spacing finer by sqrt(2) reduces the "
+                          "change by a seventh, so that a reduction by half is not an effect of the spacing"});
 }
 
 void claims(const Values& values, const Claims<Results>& all) {
@@ -215,18 +214,17 @@ void claims(const Values& values, const Claims<Results>& all) {
   claims.check(
       "overturns", "The free surface of the wave overturns in SPH.", "it does",
       [](const Results& r) { return !std::isnan(r.finest().hangs_over); },
-      Qualitative{.detector = "the surface hangs over by a hundredth of the wavelength",
-                  .reason = "potential flow from the same start does"});
-  claims.only_if(values.tier() != Tier::quick, "its jet is two of its wide spacings thick before it counts")
+      Qualitative{.detector = "the surface overhangs by 1 % of the wavelength",
+                  .reason = "potential flow from the same initial state overturns"});
+  claims.only_if(values.tier() != Tier::quick, "at its large spacing the jet is two spacings thick before it counts")
       .check(
           "overhang-time", "The time at which the front overhangs agrees with potential flow within 5 % of the period.",
-          "when it hangs over by a hundredth of the wavelength [s]",
+          "time at which the front overhangs by 1 % of the wavelength [s]",
           [](const Results& r) -> Measurement {
             return {.value = r.finest().hangs_over, .told = {.expected = r.exact_overhang}};
           },
           Bound{.limit = 0.05 * period,
-                .reason = "5 % of the period: the tip of the jet, about two spacings thick when it begins, is what "
-                          "particles form last",
+                .reason = "5 % of the period: the tip of the jet, initially about two spacings thick, forms last",
                 .expected = Amount::told_by_run(last_phase * period)});
   claims.check(
       "kinetic-energy", "The kinetic energy of the water with a developed jet agrees with potential flow within 5 %.",
@@ -235,7 +233,7 @@ void claims(const Values& values, const Claims<Results>& all) {
         return r.finest().kinetic.at(instants.size() - 1) / r.exact.integrals(r.times.back()).kinetic_energy;
       },
       Bound{.limit = 0.05,
-            .reason = "5 %: the surface is off by half a spacing or so, the depth of the trough has ten",
+            .reason = "5 %: the surface error is about half a spacing, the depth at the trough ten spacings",
             .expected = 1});
 }
 
@@ -261,9 +259,9 @@ void tabulate_variants(const Results& r, const Values& values, evidence::Exhibit
   evidence::Table& table =
       add_table(exhibit, "variants", "Schemes of the same kind",
                 "Rms distance of the surfaces from potential flow in thousandths of the wavelength; energies with a "
-                "developed jet, kinetic over potential flow's, all over that of the beginning; times over the period. "
-                "Schemes that take more work for a step have fewer columns for the same processor time. Two lattices "
-                "of the first scheme differ by what columns leave uncertain.",
+                "developed jet, kinetic over the potential-flow value, total over the initial one; times over the "
+                "period. Schemes with more work per step have fewer columns at equal processor time. Two spacings of "
+                "the first scheme show the uncertainty of the resolution.",
                 {"", "columns"});
   for (const Instant& instant : instants) table.columns.emplace_back(instant.id, "L/1000");
   for (const char* name : {"kinetic", "energy", "hangs over", "touches down"}) table.columns.emplace_back(name, "");
@@ -288,7 +286,7 @@ void tabulate_variants(const Results& r, const Values& values, evidence::Exhibit
 
 void draw(const Results& r, evidence::Exhibit& exhibit) {
   auto& profiles = exhibit.figure("profiles", "From a cosine to a plunging jet",
-                                  "Surfaces of the particles on two lattices and of potential flow, equal scales.");
+                                  "Surfaces of the particles at two spacings and of potential flow, equal scales.");
   const SphOverturned& finest = r.finest();
   const SphOverturned& coarser = r.runs[halved];
   for (std::size_t i = 1; i < r.times.size(); ++i) {
@@ -308,7 +306,7 @@ void draw(const Results& r, evidence::Exhibit& exhibit) {
     panel.line(fmt::format("SPH, L/{:.0f}", wavelength / finest.spacing), surface.x, surface.y, Role::computed);
   }
   auto& speeds = exhibit.figure("speed", "Speed of the water",
-                                fmt::format("With a developed jet, and after it has landed; {}.", finest.resolution()));
+                                fmt::format("With a developed jet, and after its impact; {}.", finest.resolution()));
   for (std::size_t i = r.times.size() - 1; i < finest.times.size(); ++i) {
     draw_speed(speeds, finest.snapshots[i], finest.spacing,
                {.title = fmt::format("t = {:.3f} s", finest.times[i]), .frame = {0, wavelength, 0, 0.3 * wavelength}});
@@ -342,11 +340,11 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 }  // namespace
 
 void overturning_sph(Case& c) {
-  c.title = "A wave overturns and plunges: weakly compressible SPH beside potential flow";
+  c.title = "Overturning and plunging of a wave: weakly compressible SPH beside potential flow";
   c.source = literature::longuet_higgins_cokelet + "; " + literature::baker_meiron_orszag;
   c.tiers = {Tier::quick, Tier::full, Tier::paper};
   c.parameters =
-      with({real("height", 0.13, "L", {0.02, 0.14}, "height H of the cosine it begins with"),
+      with({real("height", 0.13, "L", {0.02, 0.14}, "height H of the initial cosine"),
             real("depth", 0.13, "L", {0.05, 1}, "depth of the water at rest"),
             integer("columns", {100, 400, 800}, {40, 4000}, "particle spacings in a wavelength, finest")},
            sph_parameters({.kernel = std::string("wendland_c2"), .smoothing = 2.0, .alpha = 0.01}, "sqrt(g d)"));

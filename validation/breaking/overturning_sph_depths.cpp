@@ -1,20 +1,20 @@
 /*
-Whether and when a wave overturns depends on its height $H/L$ and on the depth $d/L$ of the water: weakly compressible
-SPH beside exact potential flow, for four waves. And what artificial viscosity and the stress of unresolved eddies do
-to the air that the jet of the steepest one shuts off.
+Whether and when a wave overturns depends on its steepness $H/L$ and relative depth $d/L$: weakly compressible SPH
+beside exact potential flow, for four waves. The case also shows the effect of artificial viscosity and of
+sub-particle-scale (SPS) stress on the cavity that the jet of the steepest wave encloses.
 
 **Set-up.** As in `overturning_sph`: a periodic layer, a cosine with the velocities and pressures of an exact potential
-flow. Lengths are in metres, $L = 1$ m. The spacing is the same for all, so the lower and shallower waves have fewer
-particles in their height.
+flow. Lengths are in metres, $L = 1$ m. The spacing is the same for all waves, so that lower and shallower waves have
+fewer particles over their height.
 
-**What is compared.** The surfaces with the boundary-integral computation (`overturning_wave`), when its front
-is vertical and when its jet is developed: for each wave at a time of its own. From the tier `full` on also the cavity
-at the instant in which the jet closes it, with artificial viscosity, laminar, and with the stress: that artificial
-viscosity makes it smaller is declared. Coarser particles close one that is three of them wide.
+**What is compared.** The surfaces with the boundary-integral computation (`overturning_wave`) when its front is
+vertical and when its jet is developed, for each wave at its own time. From the tier `full` on also the cavity at the
+instant of its closure, with artificial viscosity, laminar, and with SPS stress: that artificial viscosity reduces the
+cavity is a known deviation. Larger particles close a cavity of three spacings.
 
-**What to look at.** The times in the table: a lower wave overturns later, a wave over deeper water too, for its trough
-slows the front less. When the front of the particles hangs over by a hundredth of the wavelength, little more than one
-spacing, is shown and not scored: their jet is formed by few of them, and late.
+**What to look at.** The times in the table: a lower wave overturns later, and so does a wave over deeper water, whose
+trough slows the front less. The time at which the SPH front overhangs by $L/100$, little more than one spacing, is
+shown and not scored: the jet consists of few particles and lags.
 */
 #include <algorithm>
 #include <array>
@@ -115,14 +115,15 @@ evidence::KnownFailure late_jet() {
   return {.value = 0.00357,
           .width = 0.00003,
           .reason =
-              "1 per cent more than a spacing: this jet is compared when it is longest, and the deepest water is "
-              "compressed most by its weight, which by g d^2/(2 c_0^2) is 1.0 mm at any spacing"};
+              "1 % more than a spacing: this jet is compared at its greatest length, and the deepest water has the "
+              "largest compression, g d^2/(2 c_0^2) = 1.0 mm at any spacing"};
 }
 
 void claim_turn(const Claims<Turn>& claims, const Shape& shape, const Values& values) {
   const auto surface = [&](const std::string& id, const std::string& when, std::size_t instant) {
     const evidence::Claim claim{
-        id + shape.id, fmt::format("{} the surface agrees with potential flow to one spacing ({}).", when, shape.name),
+        id + shape.id,
+        fmt::format("The surface {} agrees with potential flow within one spacing, rms ({}).", when, shape.name),
         "rms distance of the surfaces", "m", source};
     claims.fails(late_jet(), claim.id == "jet-deep" && full_as_it_stands(values))
         .check(
@@ -132,19 +133,17 @@ void claim_turn(const Claims<Turn>& claims, const Shape& shape, const Values& va
                       .where = fmt::format("t = {:.3f} s", turn.times.at(instant))};
             },
             Bound{.limit = 1 / values.number("columns"),
-                  .reason = "one spacing of the particles: no surface of theirs is known better than to a part of it"});
+                  .reason = "one particle spacing, of which the surface position is uncertain by a fraction"});
   };
-  surface("vertical-", "With a vertical front", 0);
-  surface("jet-", "With a developed jet", 1);
+  surface("vertical-", "with a vertical front", 0);
+  surface("jet-", "with a developed jet", 1);
 }
 
 void claim_cavities(const Claims<Results>& claims, const Values& values) {
-  const auto landed =
-      claims.only_if(values.tier() != Tier::quick, "its particles close a cavity that is three of them wide");
+  const auto landed = claims.only_if(values.tier() != Tier::quick, "its particles close a cavity of three spacings");
   const auto claim = [](const std::string& id, const std::string& text, const std::string& other) {
-    return evidence::Claim{id, text,
-                           fmt::format("area of the cavity as it closes, with the stress over that {}", other), "1",
-                           "Plunging breaking waves by weakly compressible smoothed particles, figure 6"};
+    return evidence::Claim{id, text, fmt::format("area of the cavity at closure, with the stress over that {}", other),
+                           "1", "Plunging breaking waves by weakly compressible smoothed particles, figure 6"};
   };
   const auto over = [](const SphOverturned& other, const SphOverturned& stress) -> Measurement {
     return {.value = stress.cavity / other.cavity,
@@ -152,23 +151,23 @@ void claim_cavities(const Claims<Results>& claims, const Values& values) {
             .told = {.limit = 2 * std::sqrt(std::numbers::pi / other.cavity) * other.spacing}};
   };
   const Bound rim{.limit = Amount::told_by_run(0.5),
-                  .reason = "a rim known to half a spacing in each of both: as for a round hole of the same area",
+                  .reason = "rims uncertain by half a spacing in both, as for a round hole of the same area",
                   .expected = 1};
   landed.check(
-      claim("cavity",
-            "The cavity of the jet with the stress of unresolved eddies equals the laminar cavity within half a "
-            "spacing along either rim.",
-            "of laminar water"),
+      claim(
+          "cavity",
+          "The cavity of the jet with the SPS stress equals the laminar cavity within half a spacing along either rim.",
+          "of laminar water"),
       [over](const Results& r) { return over(r.laminar, r.stress); }, rim);
   const evidence::Claim standard = claim("cavity-standard",
-                                         "The cavity of the jet with the stress of unresolved eddies equals the cavity "
-                                         "with artificial viscosity within half a spacing along either rim.",
+                                         "The cavity of the jet with the SPS stress equals the cavity with artificial "
+                                         "viscosity within half a spacing along either rim.",
                                          "with artificial viscosity");
   landed
       .fails({.value = 1.45,
               .width = 0.18,
-              .reason = "artificial viscosity holds the jet back, which then shuts off less: laminar water "
-                        "without it and without the stress has the larger cavity too"},
+              .reason = "artificial viscosity retards the jet, which then encloses less air: the cavity of laminar "
+                        "water, with neither, is larger too"},
              full_as_it_stands(values))
       .check(
           standard, [over](const Results& r) { return over(r.turns.front().run, r.stress); }, rim);
@@ -183,12 +182,11 @@ void claims(const Values& values, const Claims<Results>& claims) {
 }
 
 void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
-  evidence::Table& table =
-      add_table(exhibit, "turns", "When waves overturn",
-                "In periods of the linear wave: vertical front of potential flow, and when the fronts hang "
-                "over by a hundredth of the wavelength. Distances over the spacing.",
-                {"wave", "vertical [T]", "hangs over [T]", "SPH hangs over [T]", "distance, vertical [dx]",
-                 "distance, jet [dx]"});
+  evidence::Table& table = add_table(
+      exhibit, "turns", "Times of overturning",
+      "In periods of the linear wave: time of the vertical front of potential flow, and times at which the fronts "
+      "overhang by 1 % of the wavelength. Distances over the spacing.",
+      {"wave", "vertical [T]", "overhangs [T]", "SPH overhangs [T]", "distance, vertical [dx]", "distance, jet [dx]"});
   auto& figure =
       exhibit.figure("surfaces", "Waves with a developed jet", "Surfaces of particles and of potential flow.");
   for (std::size_t k = 0; k < shapes.size(); ++k) {
@@ -220,7 +218,7 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 }  // namespace
 
 void overturning_sph_depths(Case& c) {
-  c.title = "Waves of several heights and depths overturn: weakly compressible SPH";
+  c.title = "Overturning of waves of several heights and depths: weakly compressible SPH";
   c.source = literature::longuet_higgins_cokelet + "; " + literature::baker_meiron_orszag;
   c.parameters =
       with({integer("columns", {90, 283, 400}, {40, 4000}, "particle spacings in a wavelength")},

@@ -1,18 +1,18 @@
 /*
 A cosine of large amplitude, with the potential of the linear wave at its surface, steepens, overturns and plunges. Up
-to jet impact the flow is irrotational and its surface known to many digits from a spectral boundary-integral
-computation (`seiche exact overturning_wave`): a plunging breaker without experimental scatter.
+to jet impact the flow is irrotational, and a spectral boundary-integral computation gives the surface to many digits
+(`seiche exact overturning_wave`): a plunging breaker without experimental scatter.
 
 **What is compared.** The case computes the wave, checks conservation of volume, energy and impulse and the exact
-kinetic energy of the start, $\tfrac{\pi}{2} A^2 I_0(2A)$, and shows profiles until the jet is about to land. It scores
-others: the surface at given times, as points $(x, y)$ with their fraction $s$ of the arc length over one wavelength,
-and the time at which the front is first vertical.
+initial kinetic energy, $\tfrac{\pi}{2} A^2 I_0(2A)$, and shows profiles until shortly before jet impact. It accepts
+external results: the surface at given times, as points $(x, y)$ with their fraction $s$ of the arc length over one
+wavelength, and the time of the first vertical front.
 
-A surface is within the tolerance where no point of it is farther off than that part of the cosine's height, in $x$ or
-$y$.
+A surface is within the tolerance where every point agrees, in $x$ and $y$, within that fraction of the height of the
+cosine.
 
-**What to look at.** The nose of the jet. A solver that is too viscous, in fact or by its numerics, overturns late and
-throws a thick jet near the crest.
+**What to look at.** The tip of the jet. With too much physical or numerical viscosity the wave overturns late, with a
+thick jet near the crest.
 */
 #include <array>
 #include <cmath>
@@ -78,7 +78,9 @@ void claim_self_test(const Claims<exact::SelfTest>& claims) {
   for (std::size_t k = 0; k < identities.size(); ++k) {
     claims.check(
         fmt::format("identity-{}", k + 1),
-        fmt::format("The reference satisfies its own identity: {}.", identities[k].name), "relative defect",
+        fmt::format("The residual of the reference solution's identity is within its accuracy: {}.",
+                    identities[k].name),
+        "relative defect",
         [k](const exact::SelfTest& test) -> Measurement {
           return {.value = test.at(k).defect, .told = {.limit = test.at(k).accuracy}};
         },
@@ -115,7 +117,8 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
     figure.panel({.x = "x [m]", .y = "y [m]", .title = fmt::format("t = {:.4g} s", t), .equal_aspect = true})
         .line("surface", profile.x, profile.y, Role::exact);
   }
-  auto& film = exhibit.figure("film", "The wave overturns", "Surfaces over one wavelength, from the start to the jet.");
+  auto& film =
+      exhibit.figure("film", "Overturning of the wave", "Surfaces over one wavelength, from the start to the jet.");
   film.drawing = "film";
   for (const double t : evenly(0, instants_of(r.wave).back(), 25)) {
     const auto profile = r.wave.profile(t, 401);
@@ -143,8 +146,8 @@ std::vector<WantedTable> wanted(const Values& values) {
   const std::vector<Requirement> close{
       {.measure = Measure::largest_error,
        .criterion = Bound{.limit = values.real("tolerance") * values.real("amplitude"),
-                          .reason = "the case's parameter `tolerance`, of the amplitude; by default 3.5 %, "
-                                    "less than the jet grows between the instants asked for"},
+                          .reason = "the case's parameter `tolerance`, of the amplitude; by default 3.5 %, less than "
+                                    "the growth of the jet between the instants of the template"},
        .text = "The surface agrees with potential flow within the tolerance, by default 3.5 % of the amplitude.",
        .source = source}};
   return {
@@ -170,7 +173,7 @@ std::vector<WantedTable> wanted(const Values& values) {
 }  // namespace
 
 void overturning_wave(Case& c) {
-  c.title = "A wave overturns and plunges";
+  c.title = "Overturning and plunging of a wave";
   c.source = "M. S. Longuet-Higgins, E. D. Cokelet, Proc. R. Soc. A 350 (1976) 1; " + literature::baker_meiron_orszag;
   c.tiers = {Tier::quick};
   c.parameters = {
@@ -178,7 +181,7 @@ void overturning_wave(Case& c) {
       real("wavelength", 2 * std::numbers::pi, "m", {1e-9, 1e6}, "wavelength"),
       real("depth", 0.0, "m", {0, 1e6}, "depth; 0 is infinitely deep water"),
       real("gravity", 1.0, "m/s^2", {1e-6, 1e6}, "acceleration of gravity"),
-      real("periods", 0.7, "1", {1e-3, 1}, "periods of the linear wave that are computed"),
+      real("periods", 0.7, "1", {1e-3, 1}, "computed periods of the linear wave"),
       integer("markers", {384, 512, 1024}, {64, 4096}, "markers per wavelength, even"),
       tolerance_parameter(),
   };

@@ -89,11 +89,11 @@ exact::OverturningWave SteepWave::exact(std::size_t markers, double last_phase) 
                                  .last_time = last_phase * period()});
 }
 
-const std::array<Instant, 5> overturning_instants{{{"half", "Halfway to a vertical front"},
-                                                   {"steep", "With a steep front"},
-                                                   {"vertical", "With a vertical front"},
-                                                   {"turning", "Halfway from there to a developed jet"},
-                                                   {"jet", "With a developed jet"}}};
+const std::array<Instant, 5> overturning_instants{{{"half", "halfway to a vertical front"},
+                                                   {"steep", "with a steep front"},
+                                                   {"vertical", "with a vertical front"},
+                                                   {"turning", "halfway from a vertical front to a developed jet"},
+                                                   {"jet", "with a developed jet"}}};
 
 std::vector<double> times_of(const exact::OverturningWave& wave) {
   const double vertical = wave.vertical_tangent_time().value_or(wave.end_time());

@@ -1,22 +1,22 @@
 /*
-A breakwater whose front and rear walls are pushed at different times bears less than a plain wall (Frank 1994, section
-2.3). Waves cross a berm, which is the front wall of the structure, and reach the rear wall half a period later. The
-thesis gives no geometry; this one is made up.
+A breakwater whose front and rear walls are loaded in antiphase bears a smaller total force than a plain wall (Frank
+1994, section 2.3). Waves cross a berm, the front wall of the structure, and reach the rear wall half a period later.
+The thesis states no geometry; the one used here is an assumption.
 
-**Set-up.** Depth, gravity and density are 1. The rear wall is at $x = 0$. A berm of width 2 lies before it in a depth
-of 0.4; its front face is a smooth step, $y_b = -1 + 0.3\,[1 + \tanh((x + 2)/0.21)]$. The basin ends at a wall at $x =
--14$. Nodes at the bottom slide along it. Forces are integrals of the dynamic pressure, towards the land: on the front
-face, the sum of $\lambda\,\Delta y$ over the edges of the bottom; on the rear wall, over its own.
+**Set-up.** Depth, gravity and density are 1. The rear wall is at $x = 0$. A berm 2 wide, under water of depth 0.4, lies
+before it; its front face is a smooth step, $y_b = -1 + 0.3\,[1 + \tanh((x + 2)/0.21)]$. The basin ends at a wall at $x
+= -14$. Bed nodes slide along the bed. Forces are integrals of the dynamic pressure, positive landwards: on the front
+face, the sum of $\lambda\,\Delta y$ over the bed edges; on the rear wall, over its own edges.
 
-**What is compared.** The standing waves of the basin when they are small, from the eigenvalues of the linearised model.
-Their forces, over the height of the wave at the far wall, stand beside the
-force $\tanh(kH)/k$ on a plain wall. Basins of other lengths fill in the wavelengths between. Then one of the waves runs
-in time, small. Multipliers of single steps alternate; forces are from means of two steps. The case
-`breakwater_high_wave` runs it high, `breakwater_periodic` lets waves come in from a paddle.
+**What is compared.** Small standing waves of the basin, from the eigenvalues of the linearised model: their forces per
+wave height at the far wall, beside the force $\tanh(kH)/k$ on a plain wall. Basins of other lengths give intermediate
+wavelengths. One of the waves is also run in time, at small height. Multipliers of single steps alternate; forces are
+means over two steps. The case `breakwater_high_wave` runs the wave at large height, `breakwater_periodic` generates
+waves with a paddle.
 
-**What to look at.** The berm is half a wave wide for waves of about six depths. There, and on both sides of that
-length, front and rear are pushed in opposite directions with nearly the same force: the structure bears less than a
-tenth of what a plain wall does. Waves much longer push on both together.
+**What to look at.** The berm is half a wavelength wide for $L/h$ of about 6. There, and for longer and shorter waves
+around it, the forces on front and rear are opposite and nearly equal: the structure bears less than a tenth of the
+force on a plain wall. Much longer waves load both walls in phase.
 */
 #include <algorithm>
 #include <array>
@@ -112,13 +112,13 @@ void claims(const Values& values, const Claims<Results>& claims) {
   claims.at("up to " + s.refined(s.meshes - 1).name(s.berm))
       .check(
           "refinement",
-          "The last halving of the cells changes the forces at most half as much as the halving before, for waves with "
-          "L/h > 4.",
+          "The change of the forces by the last halving of the cells is at most half of that by the halving before, "
+          "for L/h > 4.",
           "largest change by the last halving over that by the one before",
           [](const Results& r) { return r.changes.back() / r.changes[r.changes.size() - 2]; },
           Bound{.limit = 0.5,
-                .reason = "1/4 for the model's second order, which needs a mesh that resolves the face of the berm, "
-                          "0.2 depths; 1/2 for the first"});
+                .reason = "1/4 for the second order of the model, on meshes that resolve the face of the berm, 0.2 h; "
+                          "1/2 for the first"});
   claims.at(s.mesh.name(s.berm))
       .from("Frank (1994), formula 7")
       .check("rest", "The acceleration of water at rest over the berm is zero, without rounding errors.",
@@ -129,15 +129,15 @@ void claims(const Values& values, const Claims<Results>& claims) {
   claims.only_if(s.as_given(), "for the berm of the default parameters")
       .at(s.mesh.name(s.berm))
       .check(
-          "antiphase", "Waves of 4.5 to 8 depths push front and rear in opposite directions.",
-          "share of these waves that do so",
+          "antiphase", "The forces on front and rear have opposite signs for waves of L/h = 4.5 to 8.",
+          "fraction of these waves with opposite forces",
           [](const Results& r) {
             Count opposite;
             for (const StandingLoad& one : band_of(r)) opposite.add(one.force.front, [](double f) { return f < 0; });
             return opposite.value() / static_cast<double>(opposite.samples());
           },
-          Qualitative{.detector = "sign of the force on the front when the rear is pushed",
-                      .reason = "the berm is about half a wave wide"});
+          Qualitative{.detector = "sign of the force on the front at the maximum force on the rear",
+                      .reason = "the berm is about half a wavelength wide"});
   const double shortest_wavenumber = 2 * std::numbers::pi / shortest;
   const double fastest = std::sqrt(shortest_wavenumber * std::tanh(shortest_wavenumber));
   claims.at(fmt::format("{}, tau = {:g}", s.mesh.name(s.berm), s.tau))
@@ -153,9 +153,9 @@ void claims(const Values& values, const Claims<Results>& claims) {
                     .told = {.limit = in_time_limit(r.gentle.mode.frequency, s.tau)}};
           },
           Bound{.limit = Amount::told_by_run(in_time_limit(fastest, s.tau)),
-                .reason = "the scheme's clock, (omega tau)^2/24 of a phase of 2 pi and of the forces; and ten times "
-                          "the height for what is not linear: the depth over the berm is 0.4. No wave of the basin "
-                          "that is longer than three depths is faster than one of three"});
+                .reason = "the clock error of the scheme, (omega tau)^2/24 of a phase of 2 pi and of the forces; and "
+                          "ten times the height for nonlinearity: the depth over the berm is 0.4. For basin waves of "
+                          "L/h > 3 omega is at most that of L/h = 3"});
 }
 
 /// Largest change of a force by each halving of the cells.
@@ -202,11 +202,10 @@ Results compute(const Run& run) {
 
 void draw_forces(const std::vector<StandingLoad>& all, evidence::Exhibit& exhibit) {
   const std::vector<double> length = each(all, &StandingLoad::wavelength);
-  auto& figure =
-      exhibit.figure("forces", "Forces on a structure loaded in antiphase",
-                     "Small standing waves: force on the front, on the rear and on both, over the height at the far "
-                     "wall, at the moment when the rear is pushed; then the total over the force on a plain wall.",
-                     {"frank-breakwater"});
+  auto& figure = exhibit.figure("forces", "Forces on a structure loaded in antiphase",
+                                "Small standing waves: force on front, rear and both, over the height at the far wall, "
+                                "at the maximum force on the rear; then the total over the force on a plain wall.",
+                                {"frank-breakwater"});
   auto& forces = figure.panel({.x = "wavelength [depth]", .y = "force/height [rho g depth]"});
   forces.line("front", length, each(all, [](const StandingLoad& one) { return one.force.front; }), Role::computed);
   forces.line("rear", length, each(all, [](const StandingLoad& one) { return one.force.rear; }), Role::peer);
@@ -234,7 +233,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   exhibit.measure("wavelength", load.wavelength);
   exhibit.measure("period", r.gentle.period());
   auto& panel = add_panel(exhibit, "history", "Forces over time",
-                          fmt::format("A small standing wave of {:.3g} depths.", load.wavelength),
+                          fmt::format("A small standing wave, L/h = {:.3g}.", load.wavelength),
                           {.x = "t [sqrt(depth/g)]", .y = "force/height [rho g depth]"}, {"frank-breakwater"});
   draw_forces(panel, r.gentle.history);
 }
@@ -250,7 +249,7 @@ void breakwater(Case& c) {
       real("berm_width", 2.0, "depth", {0.5, 6}, "from the middle of the front face to the rear wall"),
       real("columns_per_depth", 8.0, "1", {4, 32}, "columns of cells per depth"),
       integer("rows", 6, {2, 24}, "rows of cells"),
-      real("wavelength", 6.0, "depth", {3.5, 30}, "of the wave that runs in time: the nearest in the basin"),
+      real("wavelength", 6.0, "depth", {3.5, 30}, "of the wave run in time: the nearest mode of the basin"),
       real("tau", 0.02, "sqrt(depth/g)", {1e-3, 0.2}, "time step"),
   };
   c.published = {{.tiles = {"frank-breakwater"}}};

@@ -1,31 +1,31 @@
 /*
-A breakwater whose front and rear walls are pushed at different times bears less than a plain wall (Frank 1994, section
-2.3). The case `breakwater` shows it for small waves; here the wave is high.
+A breakwater whose front and rear walls are loaded in antiphase bears a smaller total force than a plain wall (Frank
+1994, section 2.3). The case `breakwater` shows it for small waves; here the wave is high.
 
-**Set-up.** The basin of `breakwater`: depth 1, a berm in a depth of 0.4 before the rear wall, a wall 14 depths away. A
-standing wave of about six depths, for which the berm is half a wave wide, starts from rest with the height 0.1 at the
-far wall: a quarter of the depth over the berm. Gravity and density are 1. Without the hourglass potential the mesh
-tangles at the edge of the berm within two periods, for heights of $0.02$ already.
+**Set-up.** The basin of `breakwater`: depth 1, a berm under water of depth 0.4 before the rear wall, a far wall at $x =
+-14$. A standing wave of $L/h$ about 6, for which the berm is half a wavelength wide, starts from rest with the height
+0.1 at the far wall: a quarter of the depth over the berm. Gravity and density are 1. Without the hourglass potential
+the mesh tangles at the edge of the berm within two periods, for heights of $0.02$ already.
 
-**What is compared.** First the water's horizontal momentum with the forces of the walls and of the bottom, in every
-step. They are found from the pressures in the cells, the hydrostatic part and the hourglass potential included, and
-from what turns the water's way along the bottom, not from what the water did; the scheme must balance them to rounding.
-Then these reactions with the forces that are read off the edges of front and rear, as for small waves: they differ by
-how well the cells resolve the front face. The energy must stay as the scheme promises. Last the statement itself: the
-largest total force of the wave over the force of the same wave on a plain wall.
+**What is compared.** First, in every step, the rate of change of the water's horizontal momentum with the forces of
+walls and bed. These forces are computed from the cell pressures, including the hydrostatic part and the hourglass
+potential, and from the reaction that turns the flow along the bed, independently of the motion; the scheme must balance
+them to round-off. Second, these reactions with the forces read off the edges of front and rear, as for small waves: the
+difference measures the resolution of the front face. Third, the energy with the band of the one-step scheme. Last, the
+statement itself: the maximum total force of the wave over the force of the same wave on a plain wall.
 
-How much of the total is left? For small waves at most a tenth. A wave that crosses the berm gets steeper, and by Airy's
-theory of shallow water its second harmonic grows by $\tfrac34 k B \alpha^2/d$ on the way $B$ in the depth $d$, $\alpha$
-being the height of the wave that goes one way, half of the height $\eta_r$ at the rear wall. The wall doubles it. The
-berm is a whole wave wide for it: it pushes front and rear together, with $(1 - d)$ and $d$ of $\tfrac38 k B
-\eta_r^2/d$, and the contact point that moves adds $\tfrac12\eta_r^2$. So the total may reach a tenth of a plain wall's
-force and
+For small waves at most a tenth of the force is left. A wave that crosses the berm steepens, and by Airy's shallow-water
+theory its second harmonic grows by $\tfrac34 k B \alpha^2/d$ over the distance $B$ in the depth $d$, where $\alpha$,
+the height of the wave propagating in one direction, is half of the height $\eta_r$ at the rear wall. The wall doubles
+it. For the second harmonic the berm is a whole wavelength wide: it loads front and rear in phase, with fractions $(1 -
+d)$ and $d$ of $\tfrac38 k B \eta_r^2/d$, and the moving contact point adds $\tfrac12\eta_r^2$. The total may therefore
+reach a tenth of the force on a plain wall and
 
 $$ \tfrac12 \eta_r^2 + \tfrac38 k B \eta_r^2/d . $$
 
-**What to look at.** Front and rear are still pushed in antiphase, but no longer sinusoidally: crests push harder and
-shorter than troughs pull. What alternates with the wave nearly cancels in the total, and about as much of what is left
-has twice the frequency.
+**What to look at.** Front and rear are still loaded in antiphase, but not sinusoidally: crests push harder and for a
+shorter time than troughs pull. The component at the wave frequency nearly cancels in the total; about as much of the
+remainder has twice the frequency.
 */
 #include <algorithm>
 #include <cmath>
@@ -252,8 +252,10 @@ void claim_momentum(const Claims<Results>& claims, const SetUp& s) {
   const auto nodes = static_cast<double>((s.mesh.columns(s.berm) + 1) * (s.mesh.rows + 1));
   claims.from("Frank (1994), formulas 4 to 7")
       .check(
-          "momentum", "Horizontal momentum of the water changes by the forces of the walls and the bottom.",
-          "largest defect of a step's balance [rho g depth^2]",
+          "momentum",
+          "The change of the water's horizontal momentum equals the impulse of the forces of walls and bed, to "
+          "round-off.",
+          "largest error of a step's momentum balance [rho g depth^2]",
           [s, nodes](const Results& r) -> Measurement {
             const auto defect = over<Worst>(r.high.steps, &MomentumBalance::Step::defect, &MomentumBalance::Step::time);
             const double water = r.high.wave.flow.model().mass();
@@ -263,8 +265,8 @@ void claim_momentum(const Claims<Results>& claims, const SetUp& s) {
           },
           Roundoff{.operations = 20 * nodes,
                    .scale = Amount::told_by_run(10 * s.berm.length / nodes / s.tau),
-                   .reason = "some twenty rounded operations per node and step, of the momentum of a node that moves "
-                             "as fast as the fastest, over the step"});
+                   .reason = "some twenty rounded operations per node and step, of the momentum at the maximum node "
+                             "velocity, over the step"});
   const double cell = std::max(1 / s.mesh.columns_per_depth, 1 / static_cast<double>(s.mesh.rows));
   claims.check(
       "pressures",
@@ -296,7 +298,7 @@ void claim_energy(const Claims<Results>& claims, const SetUp& s) {
       .check(
           "energy",
           "The energy of the wave changes by at most (omega tau)^2, four times the swing of the one-step scheme.",
-          "largest change over the energy at the beginning",
+          "largest change over the energy initial",
           [s](const Results& r) -> Measurement {
             return {.value = r.high.energy.value() / r.high.first_energy,
                     .where = fmt::format("t = {:.3g}", r.high.energy.where()),
@@ -304,12 +306,12 @@ void claim_energy(const Claims<Results>& claims, const SetUp& s) {
           },
           Bound{.limit = Amount::told_by_run(std::pow(fastest * s.tau, 2)),
                 .reason =
-                    "the one-step scheme keeps T + Pi - (tau^2/8) u.Ku in linear waves, so that T + Pi sways by "
-                    "(omega tau)^2/4 of the energy; four times that as if all of it were in the second harmonic"});
+                    "the one-step scheme conserves T + Pi - (tau^2/8) u.Ku in linear waves, so that T + Pi oscillates "
+                    "by (omega tau)^2/4 of the energy; four times that, as if all energy were in the second harmonic"});
 }
 
 void claim_statement(const Claims<Results>& claims, const SetUp& s) {
-  const auto half = claims.only_if(s.half_wave(), "for a berm half a wave wide, as it is by default");
+  const auto half = claims.only_if(s.half_wave(), "for a berm half a wavelength wide, the default");
   half.check(
       "antiphase",
       "The phase between the forces of the high wave on front and rear differs from pi by at most their ratio of "
@@ -325,12 +327,12 @@ void claim_statement(const Claims<Results>& claims, const SetUp& s) {
         return {.value = std::abs(std::arg(front / rear)), .told = {.limit = second / first}};
       },
       Bound{.limit = Amount::told_by_run(0.5),
-            .reason = "what is of second order on the front over what is of first, as if all of it had the wave's "
-                      "frequency: free waves are no harmonics",
+            .reason = "second-order over first-order force on the front, as if all of it had the wave frequency: free "
+                      "waves are not harmonics",
             .expected = std::numbers::pi});
   half.check(
       "less-than-plain-wall",
-      "The breakwater bears less than a plain wall by a factor that the second order allows for.",
+      "The total force on the breakwater over that on a plain wall is at most 0.1 plus the second-order terms.",
       "largest total force over that on a plain wall",
       [s](const Results& r) -> Measurement {
         const double contact = 0.5 * std::pow(r.rear_height() * s.height, 2);
@@ -338,9 +340,9 @@ void claim_statement(const Claims<Results>& claims, const SetUp& s) {
         return {.value = worst(r.high.wave.history.total) / r.plain_peak(), .told = {.limit = 0.1 + second}};
       },
       Bound{.limit = Amount::told_by_run(1),
-            .reason = "a tenth for small waves, and the second order: the contact point's part and a second harmonic, "
-                      "grown on the berm, that pushes front and rear together; at 1 the breakwater would bear as much "
-                      "as a plain wall"});
+            .reason = "0.1 for small waves, and the second order: the contribution of the contact point and a second "
+                      "harmonic, grown on the berm, that loads front and rear in phase; at 1 the breakwater would bear as much as a plain "
+                      "wall"});
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
@@ -410,11 +412,12 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   exhibit.measure("plain_wall_peak", r.plain_peak());
   exhibit.measure("plain_wall_of_small_waves", r.plain_small.load.plain_wall);
   exhibit.measure("worst_corner", r.high.wave.flow.worst_corner().shape);
-  auto& panel = add_panel(exhibit, "history", "Forces of the high wave",
-                          fmt::format("A standing wave of {:.3g} depths and of height {:g} at the far wall; dashed: "
-                                      "the same wave before a plain wall.",
-                                      r.high.small.load.wavelength, s.height),
-                          {.x = "t [sqrt(depth/g)]", .y = "force/height [rho g depth]"}, {"frank-breakwater"});
+  auto& panel = add_panel(
+      exhibit, "history", "Forces of the high wave",
+      fmt::format(
+          "A standing wave of L/h = {:.3g} and height {:g} at the far wall; dashed: the same wave before a plain wall.",
+          r.high.small.load.wavelength, s.height),
+      {.x = "t [sqrt(depth/g)]", .y = "force/height [rho g depth]"}, {"frank-breakwater"});
   draw_forces(panel, history);
   panel.line("plain wall", r.plain.history.time, r.plain.history.rear, Role::guide);
   draw_momentum(r.high, exhibit);
@@ -434,9 +437,9 @@ void breakwater_high_wave(Case& c) {
       real("berm_width", 2.0, "depth", {0.5, 6}, "from the middle of the front face to the rear wall"),
       real("columns_per_depth", 8.0, "1", {4, 32}, "columns of cells per depth"),
       integer("rows", 6, {2, 24}, "rows of cells"),
-      real("wavelength", 6.0, "depth", {3.5, 30}, "of the wave: the nearest in the basin"),
+      real("wavelength", 6.0, "depth", {3.5, 30}, "of the wave: the nearest mode of the basin"),
       real("height", 0.1, "depth", {1e-6, 0.2}, "of the wave at the far wall"),
-      integer("periods", 3, {2, 20}, "periods that the wave runs"),
+      integer("periods", 3, {2, 20}, "length of the run in periods"),
       real("tau", 0.02, "sqrt(depth/g)", {1e-3, 0.2}, "time step"),
       real("hourglass", 0.1, "1", {0, 2}, "kappa_0 of the hourglass potential"),
   };

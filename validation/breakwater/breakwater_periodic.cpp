@@ -1,27 +1,26 @@
 /*
-Periodic waves come in on a breakwater whose front and rear walls are pushed at different times (Frank 1994, section
-2.3). A piston far away makes them; they are reflected, and before the breakwater a standing wave is left.
+Periodic waves arrive at a breakwater whose front and rear walls are loaded in antiphase (Frank 1994, section 2.3). A
+distant piston generates them; they are reflected, and a standing wave forms before the breakwater.
 
-**Set-up.** Depth, gravity and density are 1. The breakwater is taken from the case `breakwater`: a berm of width 2 in a
-depth of 0.4 before the rear wall. The piston is 50 depths from the wall. Its motion grows during 28 units of time, four
-periods of a wave of six depths, and sends waves half as high as the standing wave is to be. The run ends before what
-the paddle reflects again is back at the breakwater: little of it comes faster than at $0.6\,c_g + 0.4$, between the
-wave's group velocity and the fastest group velocity, 1. The last whole periods of it, two or more, are analysed, with
-weights that rise and fall like $1 - \cos$.
+**Set-up.** Depth, gravity and density are 1. The breakwater is the one of the case `breakwater`: a berm 2 wide under
+water of depth 0.4 before the rear wall. The piston is at a distance of 50 from the wall. Its motion ramps up over 28
+time units, four periods of a wave of $L/h = 6$, and generates waves of half the height of the intended standing wave.
+The run ends before re-reflection from the paddle reaches the breakwater: little of it travels faster than $0.6\,c_g +
+0.4$, between the group velocity and the maximum group velocity, 1. The last whole periods, two or more, are analysed,
+with a window $1 - \cos$.
 
-**What is compared.** Amplitude and phase of the forces on front and rear, over the elevation at an antinode, with small
-standing waves from the eigenvalues of the same mesh. Frequencies are eigenfrequencies of a basin 14 depths long, whose
-far wall is an antinode, so a mirror, of the standing wave in the tank too; the piston has the frequency that the
-one-step scheme gives that wave. Then neither cells nor steps make a difference. What remains is the start that has not
-yet left: linear theory of the piston, which knows no cells, tells how much, for the way to the antinode, for the way
-back, and for what the paddle reflects again; and the drift of the mesh with the square of the height, which tangles it
-at the edge of the berm when waves are high. So the waves are low; one of a fifth of the depth from trough to crest, on
-a mesh with an hourglass potential, is in `breakwater_high_wave`. The height itself, two incident waves', is compared
-with the theory of the piston.
+**What is compared.** Amplitude and phase of the forces on front and rear, per elevation at an antinode, with small
+standing waves from the eigenvalues of the same mesh. The frequencies are eigenfrequencies of a basin of length 14,
+whose far wall is an antinode, hence a plane of symmetry, of the standing wave in the tank too; the piston has the
+frequency of that wave in the one-step scheme, so that cells and steps contribute no difference. Two errors remain. The
+first is the transient of the start, which linear piston theory predicts for the way to the antinode, the way back and
+the re-reflection from the paddle. The second is the drift of the mesh with the square of the height, which tangles it
+at the edge of the berm under high waves; the waves are therefore low. `breakwater_high_wave` runs a wave of height 0.2
+on a mesh with an hourglass potential. The height of the standing wave is compared with twice the theory of the piston.
 
-**What to look at.** The berm is half a wave wide for waves of about six depths. Front and rear are then pushed in
-antiphase, and the sum of both, for which the structure must be built, is less than a tenth of the force on a plain
-wall. Waves of fifteen depths push on both together.
+**What to look at.** The berm is half a wavelength wide for $L/h$ of about 6. Front and rear are then loaded in
+antiphase, and their sum, for which the structure must be designed, is less than a tenth of the force on a plain wall.
+Waves of $L/h = 15$ load both in phase.
 */
 #include <algorithm>
 #include <array>
@@ -187,14 +186,14 @@ Measurement farthest(const Results& r, Value value, Limit limit) {
   }
   const Periodic& one = r[static_cast<std::size_t>(share.where())];
   return {.value = value(one),
-          .where = fmt::format("waves of {:.3g} depths", one.small.load.wavelength),
+          .where = fmt::format("waves of L/h = {:.3g}", one.small.load.wavelength),
           .told = {.limit = limit(one)}};
 }
 
 const std::string reason =
-    "twice what linear theory says has not settled, in force and elevation, on the way in, back, and once more around; "
-    "and the mesh: its nodes drift with the square of the height, and one of 0.02 tangles it at the edge of the berm "
-    "within two periods, so that (height/0.02)^2 of that drift is made in every two";
+    "twice the unsettled part of linear theory, in force and elevation, on the way in, back, and once more around; and "
+    "the mesh drift, proportional to the square of the height: a height of 0.02 tangles the mesh at the edge of the "
+    "berm within two periods, so that (height/0.02)^2 of that drift accumulates every two periods";
 
 void claim_loads(const Claims<Results>& claims, const SetUp& s) {
   claims.check(
@@ -225,7 +224,7 @@ void claim_loads(const Claims<Results>& claims, const SetUp& s) {
       Bound{.limit = Amount::told_by_run(3 * largest_limit), .reason = reason + "; of the smaller force"});
   claims.from("Havelock (1929)")
       .check(
-          "antinode", "The standing wave is two incident waves high.",
+          "antinode", "The height of the standing wave agrees with twice the incident height of linear piston theory.",
           "largest relative difference of the antinode from twice the theory of the piston",
           [s](const Results& r) {
             const double cell = std::max(1 / s.mesh.columns_per_depth, 1 / static_cast<double>(s.mesh.rows));
@@ -236,12 +235,12 @@ void claim_loads(const Claims<Results>& claims, const SetUp& s) {
                 });
           },
           Bound{.limit = Amount::told_by_run(0.1),
-                .reason = "the paddle's cells are of second order, (k h)^2; and what has not settled"});
+                .reason = "second order of the cells at the paddle, (k h)^2; and the unsettled part"});
 }
 
 void claim_statement(const Claims<Results>& claims, const SetUp& s) {
   claims.check(
-      "antiphase", "Where the berm is half a wave wide, front and rear are pushed in antiphase.",
+      "antiphase", "The forces on front and rear are in antiphase where the berm is half a wavelength wide.",
       "phase between front and rear [rad]",
       [s](const Results& r) -> Measurement {
         const Periodic& half = r.front();
@@ -252,7 +251,9 @@ void claim_statement(const Claims<Results>& claims, const SetUp& s) {
             .reason = "the phases of both, " + reason,
             .expected = std::numbers::pi});
   claims.check(
-      "less-than-plain-wall", "The breakwater then bears less than a tenth of the force on a plain wall.",
+      "less-than-plain-wall",
+      "The total force on a breakwater with a berm half a wavelength wide is below a tenth of the force on a plain "
+      "wall.",
       "|total|/plain wall", [](const Results& r) { return r.front().relative(); },
       Bound{.limit = 0.1, .reason = "a tenth"});
   claims.check(
@@ -327,8 +328,8 @@ Results compute(const Run& run) {
 void tabulate(const Results& r, const SetUp& s, evidence::Exhibit& exhibit) {
   evidence::Table& table =
       add_table(exhibit, "forces", "Forces of periodic waves",
-                "Amplitudes over the height of the antinode, and how far the phases of front and rear are apart. In "
-                "brackets: small standing waves.",
+                "Amplitudes over the height of the antinode, and phase difference between front and rear. In brackets: "
+                "small standing waves.",
                 {"wavelength [depth]", "front [rho g depth]", "(front) [rho g depth]", "rear [rho g depth]",
                  "(rear) [rho g depth]", "phase [rad]", "total/plain wall [1]", "(total/plain wall) [1]",
                  "antinode/2 incident [1]", "not settled [1]"},
@@ -371,15 +372,14 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   const SetUp s(values);
   tabulate(r, s, exhibit);
   draw_loads(r, s, exhibit);
-  auto& figure = exhibit.figure(
-      "tank", "Periodic waves arrive",
-      "Forces on front, rear and both, over the height of the antinode that the standing wave is to have.",
-      {"frank-breakwater"});
+  auto& figure =
+      exhibit.figure("tank", "Arrival of periodic waves",
+                     "Forces on front, rear and both, over the intended height of the antinode.", {"frank-breakwater"});
   for (const Periodic* one : {&r.front(), &r.back()}) {
     draw_tank(*one, s,
               figure.panel({.x = "t [sqrt(depth/g)]",
                             .y = "force/height [rho g depth]",
-                            .title = fmt::format("waves of {:.3g} depths", one->small.load.wavelength)}));
+                            .title = fmt::format("waves of L/h = {:.3g}", one->small.load.wavelength)}));
   }
 }
 
@@ -390,8 +390,8 @@ void breakwater_periodic(Case& c) {
   c.source = literature::frank + ", section 2.3";
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = {
-      real("sea", 36.0, "depth", {20, 200}, "by which the tank is longer than the basin of 14 depths"),
-      real("height", 1e-4, "depth", {1e-6, 1e-3}, "that the standing wave is to have at its antinodes"),
+      real("sea", 36.0, "depth", {20, 200}, "excess length of the tank over the basin of 14 h"),
+      real("height", 1e-4, "depth", {1e-6, 1e-3}, "intended height of the standing wave at its antinodes"),
       real("columns_per_depth", 8.0, "1", {8, 32}, "columns of cells per depth"),
       integer("rows", 6, {6, 24}, "rows of cells"),
       integer("steps", 60, {60, 1000}, "time steps in a period"),

@@ -110,8 +110,9 @@ Values::Values(std::vector<Parameter> declared, const Published& set, Sets sets)
 }
 
 const Parameter& Values::find(std::string_view name) const {
+  const std::string_view now = name == "beyond_folds" ? "beyond_tangling" : name;  // its name in version 0.1
   const auto found =
-      std::find_if(declared_.begin(), declared_.end(), [&](const Parameter& p) { return p.name == name; });
+      std::find_if(declared_.begin(), declared_.end(), [&](const Parameter& p) { return p.name == now; });
   if (found == declared_.end()) {
     std::vector<std::string> names;
     for (const Parameter& p : declared_) names.push_back(p.name);
@@ -136,7 +137,7 @@ void Values::set(std::string_view name, const std::string& text) {
     value = text;
   }
   if (!understood || !allowed(parameter, value)) reject(parameter, text.empty() ? "(empty)" : text);
-  values_.find(name)->second = value;
+  values_.find(parameter.name)->second = value;
 }
 
 void Values::set(std::string_view name, const Value& value) {
@@ -149,7 +150,7 @@ void Values::set(std::string_view name, const Value& value) {
   if (converted.index() != parameter.standard.quick.index() || !allowed(parameter, converted)) {
     reject(parameter, to_text(value));
   }
-  values_.find(name)->second = converted;
+  values_.find(parameter.name)->second = converted;
 }
 
 template <class T>

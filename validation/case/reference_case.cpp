@@ -19,7 +19,8 @@ void claim_identities(const Claims<exact::SelfTest>& claims, const exact::SelfTe
   for (std::size_t k = 0; k < declared.size(); ++k) {
     const exact::Identity& identity = declared[k];
     claims.check(
-        fmt::format("identity-{}", k + 1), fmt::format("The reference satisfies its own identity: {}.", identity.name),
+        fmt::format("identity-{}", k + 1),
+        fmt::format("The residual of the reference solution's identity is within its accuracy: {}.", identity.name),
         "relative defect", [k](const exact::SelfTest& test) { return test.at(k).defect; },
         Bound{.limit = identity.accuracy, .reason = identity.reason});
   }

@@ -82,7 +82,7 @@ std::vector<DeclaredClaim> Study::claims(const Values& values) const {
     }
     any = any || declared.left_out.empty();
   }
-  if (!any) throw std::logic_error("the case claims nothing at these parameters");
+  if (!any) throw std::logic_error("the case makes no claim at these parameters");
   return list;
 }
 

@@ -224,7 +224,7 @@ bool print_self_test(const exact::Evaluator& evaluator) {
   for (const exact::Identity& identity : evaluator.self_test()) {
     const bool holds = identity.defect <= identity.accuracy;  // NaN does not
     all = all && holds;
-    fmt::print("{}{}: defect {:.2g}, accuracy {:.2g} ({})\n", holds ? "" : "FAILS: ", identity.name, identity.defect,
+    fmt::print("{}{}: residual {:.2g}, accuracy {:.2g} ({})\n", holds ? "" : "FAILS: ", identity.name, identity.defect,
                identity.accuracy, identity.reason);
   }
   return all;

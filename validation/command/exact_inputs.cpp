@@ -60,7 +60,8 @@ class Water {
           solution.name));
     }
     if (!velocity_[0]) {
-      throw std::invalid_argument(fmt::format("{}: knows no velocity, which other solvers start from", solution.name));
+      throw std::invalid_argument(
+          fmt::format("{}: has no velocity field, needed for initial conditions", solution.name));
     }
     evaluator_ = solution.evaluator(parameters);
     const auto depth = parameters.find("depth");

@@ -125,7 +125,7 @@ void print_table() {
   for (const exact::ExactSolution& s : exact::catalogue()) {
     fmt::print("  {:<28} {}\n  {:<28} {}\n", s.name, s.title, "", s.citation);
   }
-  fmt::print("\n'seiche run CASE --help-parameters' shows what a case lets you set.\n");
+  fmt::print("\n'seiche run CASE --help-parameters' lists the parameters of a case.\n");
 }
 
 /// Every tile with its word, the case, the tier and the parameters that show it as its source did.
@@ -213,7 +213,7 @@ void print_scores() {
     if (rows == power.end()) return quantities;
     for (const validation::Resolved& row : rows->second) {
       if (row.change == "amplitude" && !(row.smallest <= 0.2))
-        quantities += fmt::format("{}{}", quantities.empty() ? "; cannot tell 20 % of " : ", ", row.quantity);
+        quantities += fmt::format("{}{}", quantities.empty() ? "; does not detect 20 % of " : ", ", row.quantity);
     }
     return quantities;
   };
@@ -238,7 +238,7 @@ std::string text_of(const evidence::Amount& amount) {
   if (amount.stated()) {
     return fmt::format("{:g}{}", amount.value(), amount.capped() ? fmt::format(" (at most {:g})", amount.cap()) : "");
   }
-  return fmt::format("as the run tells, at most {:g}", amount.cap());
+  return fmt::format("determined by the run, at most {:g}", amount.cap());
 }
 
 /// The criterion in one line, with what it states beforehand.

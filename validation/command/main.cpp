@@ -11,6 +11,7 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 
 #include <omp.h>
@@ -48,6 +49,26 @@ CLI::Validator positive(const std::string& unit) {
       "", "positive");
 }
 
+/// Help whose lines end before column 80.
+class Narrow : public CLI::Formatter {
+ public:
+  std::string make_option_desc(const CLI::Option* option) const override {
+    std::istringstream words(option->get_description());
+    std::string text;
+    std::size_t used = 0;
+    for (std::string word; words >> word; used += word.size() + 1) {
+      if (used + word.size() > 79 - column_width_) {
+        text += '\n';
+        used = 0;
+      } else if (used > 0) {
+        text += ' ';
+      }
+      text += word;
+    }
+    return text;
+  }
+};
+
 /// What is called after parsing: set by the subcommand that was named.
 using Action = std::function<int()>;
 
@@ -57,12 +78,11 @@ void add_list(CLI::App& app, Action& action) {
   command->group("Run and report");
   command->add_option("CASE", options->claims, "Case whose claims are listed, as --claims");
   command->add_flag("--json", options->json, "Print JSON, with every parameter, or of CASE its claims");
-  command->add_flag("--scores", options->scores,
-                    "List cases that accept external results, with their tables and columns");
+  command->add_flag("--scores", options->scores, "List cases that accept external results, with tables and columns");
   command->add_flag("--published", options->published,
-                    "List as-published parameter sets, and whether they reproduce the figures and tables");
+                    "List as-published parameter sets, and whether they reproduce their figures");
   command->add_option("--claims", options->claims, "List the claims of this case, with limits and reasons");
-  command->add_option("--tier", options->tier, "Test level, with --claims: quick, full or paper [quick]");
+  command->add_option("--tier", options->tier, "Tier, with --claims: quick, full or paper [quick]");
   command->add_option("--set", options->settings, "Parameter of the case, with --claims, as name=value")
       ->allow_extra_args(false);
   command->add_option("--ctest", options->ctest, "write add_test entries for ctest to this file")->group("");
@@ -78,17 +98,16 @@ void add_run(CLI::App& app, Action& action) {
   command->group("Run and report");
   command->add_option("CASE", options->cases, "Names of cases ('seiche list'), or patterns such as 'dam*'");
   command->add_option("--tier", options->tier,
-                      "Test level: quick, full or paper [quick]; without CASE, all cases of the level");
+                      "Tier: quick, full or paper [quick]; without CASE, all cases of the tier");
   command->add_option("--as", options->as,
                       "Run with as-published parameters, e.g. bzz-fig-6 ('seiche list --published')");
   command->add_option("--set", options->settings, "Parameter of the case, as name=value; may be repeated")
       ->allow_extra_args(false);
   command->add_option("--config", options->config, "TOML file with parameters; tables [CASE] for single cases");
-  command->add_option("--jobs,-j", options->run.jobs, "Number of cases that run at once")->check(CLI::Range(1U, 1024U));
+  command->add_option("--jobs,-j", options->run.jobs, "Number of concurrent cases")->check(CLI::Range(1U, 1024U));
   command
       ->add_option("--threads", options->run.threads,
-                   "Threads of each case [1; one per core for a case that runs alone]. Results do not "
-                   "depend on it")
+                   "Threads of each case [1; one per core for a single case]; results do not depend on it")
       ->check(CLI::Range(1, 1024));
   command->add_option("--out", options->run.directory, "Folder for the records")->capture_default_str();
   command->add_flag("--resume", options->run.resume, "Keep finished results and continue from checkpoints");
@@ -101,7 +120,7 @@ void add_run(CLI::App& app, Action& action) {
   command
       ->add_option_function<long>(
           "--most-seconds", [options](long seconds) { options->run.most_seconds = std::chrono::seconds(seconds); },
-          "Stop a case after this wall-clock time and mark it incomplete [limit of the level]")
+          "Stop a case after this wall-clock time and mark it incomplete [limit of the tier]")
       ->check(CLI::Range(1L, 100000000L));
   command->add_flag("--help-parameters", options->help_parameters, "Print the parameters of the cases, then exit");
   command->footer(
@@ -119,52 +138,53 @@ void add_report(CLI::App& app, Action& action) {
   command->add_option("--out", options->out, "Folder for the report [DIR/report]");
   command->add_option("--pdf", options->pdf, "Also print the report to this PDF file (needs Chromium)");
   command->add_flag("--with-data", options->with_data, "Also copy the records and their arrays into the report");
-  command->add_option("--jobs,-j", options->jobs, "Number of figures drawn at once")->check(CLI::Range(1U, 1024U));
+  command->add_option("--jobs,-j", options->jobs, "Number of figures drawn concurrently")->check(CLI::Range(1U, 1024U));
   command->footer(
-      "The environment's SEICHE_PYTHON names the Python interpreter, which needs numpy, h5py, matplotlib, jinja2 and\n"
-      "markdown.");
+      "Environment variable SEICHE_PYTHON: the Python interpreter, with numpy, h5py,\n"
+      "matplotlib, jinja2 and markdown.");
   command->callback([options, &action] { action = [options] { return report(*options); }; });
 }
 
 void add_exact(CLI::App& app, Action& action) {
   auto options = std::make_shared<ExactOptions>();
-  CLI::App* command =
-      app.add_subcommand("exact", "Evaluate an exact solution at points or on a grid ('seiche exact list')");
+  CLI::App* command = app.add_subcommand("exact", "Evaluate an exact solution at points or on a grid");
   command->group("Score and compare");
-  command->add_option("NAME", options->name, "Name of the solution, or list")->required();
+  command->add_option("NAME", options->name, "Name of the solution, or list ('seiche exact list' shows all)")
+      ->required();
   command->add_option("--set", options->settings, "Parameters, as name=value; may be repeated");
   command->add_option("--at", options->points, "Points, as x=1,y=-0.2,t=2; may be repeated");
-  command->add_option("--grid", options->grid, "Points, as x=-10:10:401,t=2 (FROM:TO:COUNT); NaN outside the fluid");
+  command->add_option("--grid", options->grid, "Points, as x=-10:10:401,t=2 (FROM:TO:COUNT); NaN outside the water");
   CLI::Option* format = command->add_option("--format", options->format, "Output format: csv, json or hdf5")
                             ->check(CLI::IsMember({"csv", "json", "hdf5"}))
                             ->capture_default_str();
-  command->add_option("--out", options->out, "File to write instead of printing; HDF5 always goes to a file, NAME.h5");
+  command->add_option("--out", options->out, "Output file [standard output; for HDF5 NAME.h5]");
   command
       ->add_option(
           "--write", options->write,
-          "Write initial conditions for another solver into the folder --out [.]: openfoam "
-          "(alpha.water.internalField and U.internalField, to be included in 0/alpha.water and 0/U; needs "
-          "--centres, and --at t=... where not from t=0), geoclaw (topo.xyz, eta.xyz for qinit_type 4, hu.xyz, "
-          "hv.xyz where the solution knows y, topotype 1, on --grid), dualsphysics (paddle.csv, time;position of a "
-          "piston from rest for mvrectfile with fields 2, fieldtime 0, fieldx 1; solitary, solitary_asymptotic, "
-          "wavemaker, its stroke growing over the first period; times from 0 as --grid t=0:20:2001), vtk (legacy "
-          "structured grid, on --grid), csv (on --grid)")
+          "Write initial conditions for another solver into the folder --out [.]. openfoam: alpha.water.internalField "
+          "and "
+          "U.internalField, to be included in 0/alpha.water and 0/U; needs --centres, and --at t=... unless t = 0. "
+          "geoclaw: topo.xyz, eta.xyz for qinit_type 4, hu.xyz, and hv.xyz if the solution depends on y (topotype 1), "
+          "on "
+          "--grid. dualsphysics: paddle.csv, time;position of a piston started from rest, for mvrectfile with fields "
+          "2, "
+          "fieldtime 0, fieldx 1; of solitary, solitary_asymptotic and wavemaker, whose stroke grows over the first "
+          "period; times from 0, as --grid t=0:20:2001. vtk: legacy structured grid, on --grid. csv: on --grid")
       ->check(CLI::IsMember(input_formats()))
       ->excludes(format);
   command->add_option("--centres", options->centres,
-                      "Cell centres, with --write openfoam: the field C that 'postProcess -func writeCellCentres' "
-                      "writes as text");
+                      "Cell centres, with --write openfoam: field C of 'postProcess -func writeCellCentres', in text");
   command->add_option("--up", options->up, "Axis that points upward, with --write openfoam: y or z")
       ->check(CLI::IsMember({"y", "z"}))
       ->capture_default_str();
   command
       ->add_option("--origin", options->origin,
-                   "X,Z: position of the solution's x = 0 and height 0 in the other solver, with --write")
+                   "X,Z: coordinates of the solution's origin in the other solver, with --write")
       ->delimiter(',')
       ->expected(2);
   command
       ->add_option("--width", options->width,
-                   "Width of the strip over which a solution without y is repeated, with --write geoclaw [m]")
+                   "Width in y of a solution that does not depend on y, with --write geoclaw [m]")
       ->transform(positive("m"))
       ->capture_default_str();
   command->add_flag("--integrals", options->integrals, "Also print scalar results and the numerical uncertainty");
@@ -174,8 +194,8 @@ void add_exact(CLI::App& app, Action& action) {
       "Examples:\n"
       "  seiche exact solitary --set amplitude=0.3 --at x=0,y=-0.5,t=0 --integrals\n"
       "  seiche exact riemann --set right_depth=0.1 --grid x=-10:10:401,t=2\n"
-      "  seiche exact stokes --set amplitude=0.3 --grid x=0:6.28:65,y=-1:0.4:29,t=0 --format hdf5 --out wave.h5\n"
-      "  seiche exact solitary --set depth=0.4,amplitude=0.1,gravity=9.81 --write dualsphysics --out case\n"
+      "  seiche exact stokes --grid x=0:6.28:65,y=-1:0.4:29,t=0 --format hdf5\n"
+      "  seiche exact solitary --set gravity=9.81 --write dualsphysics --out case\n"
       "  seiche exact solitary --write openfoam --centres 0/C --origin 10,0.4 --out 0");
   command->callback([options, &action] { action = [options] { return exact_command(*options); }; });
 }
@@ -186,34 +206,34 @@ void add_score(CLI::App& app, Action& action) {
   command->group("Score and compare");
   command->add_option("CASE", options->name, "Name of a case that accepts external results ('seiche list --scores')")
       ->required();
-  command->add_option("FILE", options->files, "File with the result, as --data")->check(CLI::ExistingPath);
+  command->add_option("FILE", options->files, "Result file, as --data")->check(CLI::ExistingPath);
   command
-      ->add_option("--data", options->data,
-                   "File with the result: CSV, HDF5, a solver's own format (--format), or the folder of its times; "
-                   "repeated where a case takes several tables, or a gauge has a file of its own")
+      ->add_option(
+          "--data", options->data,
+          "Result file: CSV, HDF5, a solver's own format (--format), or its folder of times; repeat for several "
+          "tables or one file per gauge")
       ->allow_extra_args(false)
       ->check(CLI::ExistingPath);
   command
-      ->add_option("--format", options->format,
-                   "Format of the files: auto (decided by content), " +
-                       fmt::format("{}", fmt::join(validation::solver_formats(), ", ")))
+      ->add_option(
+          "--format", options->format,
+          "Format of the files: auto (by content), " + fmt::format("{}", fmt::join(validation::solver_formats(), ", ")))
       ->capture_default_str();
-  command->add_option("--columns", options->columns, "Names of the columns of a file without names, as t,eta");
+  command->add_option("--columns", options->columns, "Column names of a file without a header, as t,eta");
   command
       ->add_option("--gauges", options->gauges,
-                   "NAME=6,...: gauge that a column, or a file of this name, holds: its number or position in the "
-                   "template's column of gauges, or its position X:Y [m]")
+                   "NAME=6,...: gauge of the column or file NAME: number or position in the template, or X:Y [m]")
       ->allow_extra_args(false);
   command->add_option("--solver", options->solver, "Name of the solver in the report")->capture_default_str();
   command
       ->add_option("--map", options->map,
-                   "column=quantity,... for columns (datasets) with other names; may be repeated")
+                   "column=quantity,...: quantity of a column (dataset) with another name; may be repeated")
       ->allow_extra_args(false);
   command
       ->add_option("--uncertainty", options->uncertainty,
-                   "quantity=value,...: standard numerical uncertainty of your result, in the wanted unit, or relative "
-                   "to the reference's largest value as in h=1%; where none is stated, comparisons with measured data "
-                   "are inconclusive")
+                   "quantity=value,...: standard numerical uncertainty of your result, in the unit of the template or "
+                   "relative to the largest reference value, as h=1%; without it comparisons with measurements are "
+                   "inconclusive")
       ->allow_extra_args(false);
   command->add_option("--set", options->settings, "Parameters of the case, as name=value,...; may be repeated")
       ->allow_extra_args(false);
@@ -221,19 +241,19 @@ void add_score(CLI::App& app, Action& action) {
   command->add_option("--out", options->out, "Folder for the record")->capture_default_str();
   command->add_option("--dx", options->cell, "Cell size or particle spacing of your run [m]")->transform(positive("m"));
   command
-      ->add_option("--sizes", options->sizes,
-                   "H1,H2,H3,...: cell sizes of three or more grids, coarse or fine first; one set of --data per size. "
-                   "Reports order and cost; scores the finest [m]")
+      ->add_option(
+          "--sizes", options->sizes,
+          "H1,H2,H3,...: cell sizes of three or more grids [m], with one set of --data each; reports order and "
+          "cost, scores the finest")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->transform(positive("m"));
   command
       ->add_option("--repeats", options->repeats,
-                   "Number of repeated runs, one set of --data each; scores their mean and adds the scatter to the "
+                   "Number of repeated runs, with one set of --data each; scores their mean, adds their scatter to the "
                    "uncertainty")
       ->check(CLI::Range(2, 1000));
-  command
-      ->add_option("--seconds", options->seconds, "Processor time of your run; with --sizes one for each, T1,T2,T3 [s]")
+  command->add_option("--seconds", options->seconds, "Processor time of your run [s]; with --sizes T1,T2,T3")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->transform(positive("s"));
@@ -243,20 +263,21 @@ void add_score(CLI::App& app, Action& action) {
   command->add_flag("--resolving-power", options->resolving_power,
                     "Print the smallest change of the reference that the case detects, then exit");
   command->add_option("--table", options->table,
-                      "Table of a case with several: the one that --template prints, or the only one scored");
-  CLI::Option* baseline = command->add_option(
-      "--baseline", options->baseline,
-      "Folder (other than --out) with an earlier result of the same case, parameters and solver; exit 1 if an error "
-      "grew beyond both uncertainties, 0 otherwise, whatever the verdicts; newly passing claims are shown");
+                      "Table to print with --template, or to score alone, of a case with several");
+  CLI::Option* baseline = command->add_option("--baseline", options->baseline,
+                                              "Folder, not --out, with an earlier result of the same case, parameters "
+                                              "and solver. Exit status 1 if an error grew "
+                                              "beyond both uncertainties, 0 otherwise, whatever the verdicts");
   command->add_flag("--bless", options->bless, "Accept this result as the new baseline")->needs(baseline);
   command->add_flag("--json", options->json, "Print verdict, notes, diagnosis and record as JSON");
   command->footer(
-      "Results are interpolated linearly to the reference's points and never extrapolated. A further file with\n"
-      "columns t and volume, energy or momentum is checked for conservation.\n"
+      "Results are interpolated linearly to the reference points, never extrapolated.\n"
+      "A further file with columns t and volume, energy or momentum is checked for\n"
+      "conservation.\n"
       "Examples:\n"
       "  seiche score riemann --template > mine.csv          # fill it in\n"
       "  seiche score riemann --data mine.csv --solver mine --out evidence\n"
-      "  seiche score riemann --data a.csv --data b.csv --data c.csv --sizes 1,0.5,0.25 --seconds 2,8,35");
+      "  seiche score riemann --data a.csv --data b.csv --data c.csv --sizes 1,0.5,0.25");
   command->callback([options, &action] {
     options->data.insert(options->data.begin(), options->files.begin(), options->files.end());
     action = [options] { return score(*options); };
@@ -271,7 +292,7 @@ void add_compare(CLI::App& app, Action& action) {
   command->add_option("B", options->after, "Folder with the later records; with --record a table");
   command
       ->add_option("--factor", options->factor,
-                   "Smallest growth of an error, beyond its uncertainty, that counts as worse")
+                   "Factor of growth of an error, beyond its uncertainty, that counts as worse")
       ->capture_default_str()
       ->check([](const std::string& text) {
         double factor = 0;
@@ -282,9 +303,9 @@ void add_compare(CLI::App& app, Action& action) {
                                           "Compare A with the baseline: table B, or the table of this version");
   command->add_flag("--whole", options->whole, "Treat claims missing from A as changed, with --record")->needs(record);
   command->footer(
-      "Two sets: exit status 1 if a verdict or an error got worse. One set: 1 unless all claims are as expected. With\n"
-      "--record: 1 if anything changed beyond uncertainty.");
-  command->add_option("--tier", options->tier, "Test level, with --record: quick, full or paper")
+      "Exit status 1. Two sets: a verdict or an error got worse. One set: a claim is\n"
+      "not as expected. With --record: a value changed beyond its uncertainty.");
+  command->add_option("--tier", options->tier, "Tier, with --record: quick, full or paper")
       ->capture_default_str()
       ->needs(record);
   command->callback([options, &action] {
@@ -294,11 +315,10 @@ void add_compare(CLI::App& app, Action& action) {
 
 void add_record(CLI::App& app, Action& action) {
   auto options = std::make_shared<RecordOptions>();
-  CLI::App* command =
-      app.add_subcommand("record", "Write the baseline table of a test level: claims, measured values, verdicts");
+  CLI::App* command = app.add_subcommand("record", "Write the baseline table of a tier");
   command->group("Maintenance");
-  command->add_option("DIR", options->evidence, "Folder with the records of the whole level")->capture_default_str();
-  command->add_option("--tier", options->tier, "Test level: quick, full or paper")->capture_default_str();
+  command->add_option("DIR", options->evidence, "Folder with the records of the whole tier")->capture_default_str();
+  command->add_option("--tier", options->tier, "Tier: quick, full or paper")->capture_default_str();
   command->add_option("--out", options->out, "File to write [reports/record/TIER.csv of the project]");
   command->callback([options, &action] { action = [options] { return record(*options); }; });
 }
@@ -317,18 +337,20 @@ void require_command(const CLI::App& app, int argc, char** argv) {
 
 int parse_and_call(int argc, char** argv) {
   CLI::App app{
-      "seiche: verification and validation of free-surface water-wave solvers.\n\n"
-      "Start here:\n"
-      " seiche list                                        what is available\n"
-      " seiche run riemann --out results                   one case, 0.1 s\n"
-      " seiche report results                              results/report/index.html\n"
-      " seiche score riemann --template > mine.csv         table for your solver to fill in"};
+      fmt::format("seiche {}: verification and validation of free-surface water-wave solvers\n\n"
+                  "Start here:\n"
+                  " seiche list                                        what is available\n"
+                  " seiche run riemann --out results                   one case, 0.1 s\n"
+                  " seiche report results                              results/report/index.html\n"
+                  " seiche score riemann --template > mine.csv         template for your results",
+                  build_facts::version)};
+  app.formatter(std::make_shared<Narrow>());
   app.set_version_flag("--version", std::string(build_facts::version));
   app.require_subcommand(0, 1);
   app.footer(
       "'seiche COMMAND --help' shows options; 'man seiche' the manual.\n"
-      "Exit status: 0 all claims as expected; 1 at least one unexpected result; 2 invalid input or usage;\n"
-      "3 run not completed (diverged, disk full, killed).");
+      "Exit status: 0 all claims as expected; 1 at least one unexpected result;\n"
+      "2 invalid input or usage; 3 run not completed (diverged, disk full, killed).");
 
   // Words that others use for options: seiche help, seiche version.
   for (const char* word : {"help", "version"}) {

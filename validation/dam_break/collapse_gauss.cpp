@@ -1,23 +1,23 @@
 /*
-A column of water, once or twice as high as wide, stands at a wall and is let go over a dry bed: the experiments of
-Martin and Moyce (1952), by free particles under Gauss's principle of least constraint.
+A water column, of height equal to or twice its width, collapses at a wall over a dry bed: the experiments of Martin and
+Moyce (1952), computed with Gauss-principle particles.
 
 **Set-up.** Width $a$, gravity and density are 1; $T = t\sqrt{n^2 g/a}$, $n^2$ the height over the width. Particles
-stand at rest on a square lattice. Cubic splines on square cells; cells count as full from 0.3 of their mass on, for the
-tongue is thin. The penalty on gradients of vorticity is on ($C = 0.01$). Markers, which have no mass, trace top and
-front of the column; the farthest is the front, that at the wall the residual height.
+start at rest on a square grid. Cubic splines on square cells; cells count as full from 0.3 of their mass on, because
+the tongue is thin. The penalty on vorticity gradients is on ($C = 0.01$). Massless markers trace top and front of the
+column; the farthest marker is the front, the marker at the wall gives the residual height.
 
-**What is compared.** The speed of the front between $T = 2$ and 3.1, by which it does not matter when the column was
-free; then its place, with one shift of the time origin, for a diaphragm of waxed paper had to melt first. Behind a
-square column, the height at the wall with the same shift. Three lattices tell how well the front is known. The front of
-shallow water, $X = 1 + 2T$ (Ritter), has no vertical acceleration to overcome, and stays ahead.
+**What is compared.** The front speed between $T = 2$ and 3.1, which does not depend on the release time; the front
+position, with one shift of the time origin, because the experiment released the column by melting a diaphragm of waxed
+paper; for a square column, the height at the wall with the same shift. Three grids give the numerical uncertainty of
+the front. The shallow-water front, $X = 1 + 2T$ (Ritter), has no vertical acceleration to overcome and stays ahead.
 
-**What to look at.** As it stands the front is ahead of the measured one from the first point on: nothing holds the
-water, and nothing rubs. The tall column's front, shifted, goes through the points. The front of the square column gains
-on them, on every lattice: it is thin sooner, and there is no friction on bed and side walls to hold it back. The claim
-`rms` is therefore declared to fail with `aspect=1`.
+**What to look at.** Without a shift the computed front is ahead of the measured one from the first point on: release is
+instantaneous and friction absent. With the shift the front of the tall column passes through the points. The front of
+the square column gains on them, on every grid: its tongue becomes thin earlier, and friction at bed and side walls,
+which holds the measured front back, is absent. The claim `rms` is therefore a known deviation for `aspect=1`.
 
-**When it is no test.** The front becomes thinner than a cell; what it does there is the free flight of particles.
+**Limits of this test.** The front becomes thinner than a cell; beyond that point its particles move ballistically.
 */
 #include <algorithm>
 #include <cmath>
@@ -133,30 +133,32 @@ struct Results {
 
 void claim_method(const Column& column, double last, const Claims<Collapse>& claims) {
   claims.from("Frank (1994), chapter 6; exact for every space and step")
-      .check("energy", "The energy changes by what the penalty takes, to round-off.",
-             "largest defect over the energy at the start", &Collapse::energy_defect,
+      .check("energy", "The energy change equals the dissipation of the penalty, to round-off.",
+             "largest energy error over the initial energy", &Collapse::energy_defect,
              Roundoff{.operations = std::ceil(last / column.unit() / column.tau()),
                       .scale = 2,
                       .reason = "one rounding per step of the kinetic and the potential energy"});
   claims.from("Frank (1994), chapter 6; the fields are along the walls")
       .check(
           "contained",
-          "The particles pass wall or bed by at most g tau^2/2, the distance of a straight step from their path.",
-          "farthest place behind them, over tau^2/2",
+          "The penetration of particles into wall or bed is at most g tau^2/2, the deviation of a straight step from "
+          "their path.",
+          "largest penetration over tau^2/2",
           [half = column.tau() * column.tau() / 2](const Collapse& run) { return run.beyond / half; },
           Bound{.limit = 1,
-                .reason = "a step is straight: it leaves the path along a wall by tau^2/2 times an acceleration, and "
-                          "none there is greater than gravity"});
+                .reason = "a straight step deviates from the path along a wall by tau^2/2 times the acceleration, "
+                          "which is at most gravity there"});
   claims.from("Ritter (1892)")
       .check(
-          "ritter", "The front stays behind the shallow-water front.", "at every step it does",
+          "ritter", "The front position is at every step behind the shallow-water front, X/a = 1 + 2 T.",
+          "true at every step",
           [](const Collapse& run) {
             const auto lead = [&](std::size_t k) { return run.front[k] <= 1 + 2 * run.T[k]; };
             return std::ranges::all_of(std::views::iota(std::size_t{0}, run.T.size()), lead);
           },
           Qualitative{.detector = "X/a <= 1 + 2 T",
-                      .reason = "vertical acceleration lowers the pressure that drives the front, and the column is no "
-                                "endless reservoir"});
+                      .reason = "vertical acceleration reduces the pressure that drives the front, and the column is a "
+                                "finite reservoir"});
 }
 
 /// Least-squares slope of points between two T: its standard uncertainty.
@@ -174,11 +176,11 @@ double slope_uncertainty(const ColumnFront& data, double slope) {
 
 void claim_speed(const Column& column, const ColumnFront& data, const Claims<Results>& claims) {
   const double measured = slope_between(data.curve(), first_speed, last_speed);
-  claims.at(column.resolution() + ", and two coarser lattices")
-      .only_if(has_coarser(column), "coarser lattices need multiples of 4")
+  claims.at(column.resolution() + ", and two coarser grids")
+      .only_if(has_coarser(column), "coarser grids need multiples of 4")
       .only_if(column.aspect == 2,
-               "a square column's front is thin by then, and friction, which the method has not, holds the measured "
-               "one back")
+               "the front of a square column is thin by then, and friction, absent in the method, retards the measured "
+               "front")
       .check(
           "speed", "The speed of the front agrees with the measured speed.",
           "dX/dT between T = 2 and 3.3, in sqrt(n^2 g a)",
@@ -188,32 +190,35 @@ void claim_speed(const Column& column, const ColumnFront& data, const Claims<Res
             std::vector<double> sizes(r.spacing.rbegin(), r.spacing.rend());
             return {.value = speeds.back(), .uncertainty = fine_limit(sizes, finest_first).uncertainty};
           },
-          Uncertainty{.expected = measured,
-                      .data = slope_uncertainty(data, measured),
-                      .useful = 0.2 * measured,
-                      .reason = "points known to 0.05 in both directions, joined by a least-squares line; beyond 20 % "
-                                "nothing is said"});
+          Uncertainty{
+              .expected = measured,
+              .data = slope_uncertainty(data, measured),
+              .useful = 0.2 * measured,
+              .reason =
+                  "points known to 0.05 in both directions, joined by a least-squares line; inconclusive beyond 20 %"});
 }
 
 void claim_front(const Claims<Results>& claims, const ColumnFront& data) {
   claims.check(
-      "ahead", "Let go at once and without friction, the column is ahead of the measured one.",
-      "at every measured point it is",
+      "ahead",
+      "The computed front, released instantaneously and without friction, is ahead of the measured front at every "
+      "point.",
+      "true at every measured point",
       [](const Results& r) { return std::ranges::all_of(r.fit.raw_off, [](double lead) { return lead > 0; }); },
-      Qualitative{.detector = "X/a, as it stands, is above each point up to X = 4.2 a",
-                  .reason = "a diaphragm and friction can only delay the water"});
+      Qualitative{.detector = "X/a without a shift is above each point up to X = 4.2 a",
+                  .reason = "diaphragm and friction can only delay the water"});
   constexpr double no_band = std::numeric_limits<double>::infinity();
-  claims.fails({.width = no_band, .reason = "cause unknown: 0.32 with 8 and with 16 cells to the width"}, data.tall)
+  claims.fails({.width = no_band, .reason = "cause unknown: 0.32 with 8 and with 16 cells per width"}, data.tall)
       .check(
           "shift", "The measured front lags the computed one by the time that the diaphragm takes to melt, 0.1 to 0.3.",
           "shift of the time origin, in the unit of T", [](const Results& r) { return r.fit.shift; }, release_delay());
   claims
       .fails({.width = no_band,
-              .reason = "without friction the front of the square column gains on the measured one, on every lattice: "
-                        "between T = 2 and 3 it makes 2 sqrt(g a) where the points say 1.4"},
+              .reason = "without friction the front of the square column gains on the measured one, on every grid: its "
+                        "speed between T = 2 and 3 is 2 sqrt(g a), compared with 1.4 from the points"},
              !data.tall)
       .check(
-          "rms", "With this one shift the front goes through the measured points.", "rms difference of X/a",
+          "rms", "The front position after one time shift agrees with the measured points.", "rms difference of X/a",
           [](const Results& r) { return r.fit.rms; }, through_points(data));
 }
 
@@ -268,7 +273,7 @@ void draw(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   const ColumnFront data = data_of(values);
   const Collapse& run = r.finest();
   auto& fronts = exhibit.figure("front", "Position of the front and height at the wall",
-                                "As they stand, and later by one shift of the time origin.");
+                                "Without and with one shift of the time origin.");
   auto& panel = fronts.panel({.x = "t sqrt(n^2 g/a)", .y = "X/a"});
   panel.line("particles", run.T, run.front, Role::computed);
   const std::vector<double> later = each(run.T, [&](double T) { return T + r.fit.shift; });
@@ -285,7 +290,7 @@ void draw(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
     const io::Table table = values.table("martin_moyce_1952_square_height");
     heights.points("Martin and Moyce", table.column("Tg"), table.column("H_over_a"), Role::data);
   }
-  auto& water = exhibit.figure("water", "The water", "Markers of its surface.");
+  auto& water = exhibit.figure("water", "The water", "Surface markers.");
   for (const GaussFrame& frame : run.frames) {
     auto& shape = water.panel({.x = "x/a",
                                .y = "y/a",
@@ -293,7 +298,7 @@ void draw(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
                                .equal_aspect = true});
     shape.line("markers", frame.line_x, frame.line_y, Role::computed);
   }
-  auto& film = exhibit.figure("film", "The column collapses", "The water under the markers of its surface.");
+  auto& film = exhibit.figure("film", "Collapse of the column", "The water under its surface markers.");
   film.drawing = "film";
   for (const GaussFrame& frame : run.film) {
     film.panel({.x = "x/a",
@@ -319,14 +324,14 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 }  // namespace
 
 void collapse_gauss(Case& c) {
-  c.title = "A column of water collapses: Gauss-principle particles";
+  c.title = "Collapse of a water column: Gauss-principle particles";
   c.source = literature::martin_moyce + ", figure 3";
   c.parameters = {
       integer("aspect", 2, {1, 2}, "n^2, height of the column over its width"),
-      integer("cells", {8, 16, 16}, {4, 64}, "cells of the lattice to the width"),
-      integer("per_cell", {8, 12, 12}, {4, 40}, "particles to a cell's side"),
+      integer("cells", {8, 16, 16}, {4, 64}, "cells per column width"),
+      integer("per_cell", {8, 12, 12}, {4, 40}, "particles per cell side"),
       real("last", 3.6, "1", {0.1, 5}, "scaled time T at the end"),
-      real("at", 2, "1", {0, 5}, "scaled time T at which the numbers front and height are read; no later than last"),
+      real("at", 2, "1", {0, 5}, "scaled time T at which front and height are read; at most last"),
   };
   c.study = Study(claims, compute, show, experiment);
 }

@@ -32,9 +32,7 @@ struct ColumnFront {
 
 /// A column of the laboratories is let go late: the one rule for all models.
 inline evidence::Bound release_delay() {
-  return {.limit = 0.1,
-          .reason = "0.1 to 0.3: what the source gives for the time that the diaphragm takes to melt",
-          .expected = 0.2};
+  return {.limit = 0.1, .reason = "0.1 to 0.3: melting time of the diaphragm stated by the source", .expected = 0.2};
 }
 /// With one shift a front goes through the points: the one rule for all models.
 inline evidence::Bound through_points(const ColumnFront& data) {

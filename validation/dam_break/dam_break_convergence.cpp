@@ -1,13 +1,13 @@
 /*
 Dam breaks over a dry bed and over water of $h_0/h_1 = 0.1$ and $0.5$, refined: dam at $x = 20$ m in $[0, 50]$ m, $t =
-6$ s, Courant number 0.4. Corners of fans and jumps limit **every** scheme to first order in the mean; what differs is
-the constant.
+6$ s, Courant number 0.4. Corners of rarefactions and bores limit **every** scheme to first order in the mean; schemes
+differ in the constant.
 
-**What is compared.** The mean error of cell depths, and the processor time it takes, for the particle method with equal
-masses (recommended) and equal widths, its first-order level, and the comparison schemes. A given $N$ means the same
-initial width for all; over a dry bed the particles cover only the water.
+**What is compared.** The mean error of cell depths, and the processor time, for the particle method with equal masses
+(recommended) and equal widths, its first-order variant, and the comparison schemes. A given $N$ is the same initial
+width for all; over a dry bed the particles cover only the water.
 
-**What to look at.** The second picture: how long one has to wait for a given error.
+**What to look at.** The second figure: processor time for a given error.
 */
 #include <algorithm>
 
@@ -97,8 +97,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
       claims.check(
           fmt::format("order-{}-{}", id, one.id), fmt::format("{}: {} converges at first order.", name, one.label),
           "observed order of cell L1(h)", [ratio, who = one.id](const Results& r) { return r.of(ratio, who).order; },
-          Order{1, 0.2,
-                "first order; the position of jumps within cells makes single errors scatter by 10 to 20 % about it"});
+          Order{1, 0.2, "first order; single errors scatter by 10 to 20 % with the position of jumps within cells"});
     }
     const auto quotient = [ratio](const char* who, const char* whose) {
       return [=](const Results& r) { return r.of(ratio, who).finest() / r.of(ratio, whose).finest(); };
@@ -108,7 +107,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
                fmt::format("{}: the error with equal masses is at most 1 times the error of MUSCL-HLL with equal N.",
                            name),
                "error over the error of MUSCL-HLL", quotient("h2_masses", "muscl"),
-               Bound{.limit = 1, .reason = "a method that is worse than current practice has to say so"});
+               Bound{.limit = 1, .reason = "comparison with current practice"});
   }
 }
 
@@ -175,7 +174,7 @@ void dam_break_convergence(Case& c) {
   c.source = "exact solutions of Ritter (1892) and Stoker (1957)";
   c.parameters = {
       integer("coarsest", {50, 50, 100}, {10, 10000}, "smallest number of cells"),
-      integer("levels", {5, 6, 7}, {4, 10}, "how often it is doubled, plus one"),
+      integer("levels", {5, 6, 7}, {4, 10}, "number of resolutions, each twice the one before"),
       real("gravity", 9.81, "m/s^2", {0.1, 1e3}, "acceleration of gravity"),
   };
   c.study = Study(claims, compute, show, "corners and jumps limit every scheme");

@@ -1,19 +1,19 @@
 /*
-How fast does the reservoir empty? At the section of the dam depth and velocity are constant for all $t > 0$. Over a dry
-bed, and over water shallower than the critical ratio, the flow there is critical,
+How fast does the reservoir empty? At the dam section depth and velocity are constant for all $t > 0$. Over a dry bed,
+and over water shallower than the critical ratio, the flow there is critical,
 
 $$h = \tfrac49 h_1, \qquad u = \tfrac23 c_1, \qquad q = \tfrac{8}{27} h_1 c_1,$$
 
-and does not depend on the depth downstream; above the critical ratio $q = h_* u_*$. Bogomolov, Zakharov and Zerkal draw
-the levels above and below the dam for several times (their figures 8, 20 and 21), give the exact wet dam break (figure
-19) and print 0.1384 for the critical ratio, 13.8 % in the same sentence.
+and independent of the downstream depth; above the critical ratio $q = h_* u_*$. Bogomolov, Zakharov and Zerkal draw the
+levels above and below the dam for several times (their figures 8, 20 and 21), give the exact wet dam break (figure 19)
+and print 0.1384 for the critical ratio, 13.8 % in the same sentence.
 
-With $h_0/h_1 = \tfrac49 s$ the condition $u_* = c_*$ at the dam gives $s^3 - s^2 - 3 s + 1 = 0$ and the ratio
-0.138270: the 0.1384 is a reading from a graph.
+With $h_0/h_1 = \tfrac49 s$ the condition $u_* = c_*$ at the dam gives $s^3 - s^2 - 3 s + 1 = 0$ and the ratio 0.138270:
+the printed 0.1384 is read off a graph.
 
-**What is compared.** The discharge through the section of the dam by particles with the exact one.
+**What is compared.** The discharge of the particle method through the dam section with the exact one.
 
-**What to look at.** The profiles of the three figures all pass through one point at the dam.
+**What to look at.** The profiles of each of the three figures pass through one point at the dam.
 */
 #include <algorithm>
 
@@ -88,7 +88,9 @@ void claims(const Values& values, const Claims<Results>& claims) {
         .where("t = {:.3g} s")
         .check(
             "discharge-" + s.id,
-            fmt::format("The discharge through the dam stays equal to the exact solution, depth ratio {:g}.", s.ratio),
+            fmt::format(
+                "The discharge through the dam section agrees with the exact solution at all times (depth ratio {:g}).",
+                s.ratio),
             "largest deviation of the discharge [m^2/s]",
             [k, exact = s.exact](const Results& r) {
               const Discharge& q = r.discharges.at(k);
@@ -97,8 +99,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
                   [&](std::size_t i) { return q.time[i]; });
             },
             Bound{.limit = 2.5 / n * s.exact,
-                  .reason = "the start spoils the water of about one particle on either side of the dam, and its trace "
-                            "at the dam decays as 1/N"});
+                  .reason = "the start disturbs about one particle on either side of the dam, an error at the dam that "
+                            "decays as 1/N"});
   }
   claims.from("section 7 of the paper; Stoker (1957)")
       .fails({.value = 0.138270,
@@ -151,7 +153,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   exact.panel({.x = "x - dam [m]", .y = "velocity u [m/s]"}).line("exact", curve.x, curve.velocity, Role::exact);
 
   auto& panel = add_panel(exhibit, "discharge", "Discharge through the section of the dam",
-                          "By particles, relative to the exact one.", {.x = "t [s]", .y = "q / q exact"});
+                          "Of the particle method, relative to the exact one.", {.x = "t [s]", .y = "q / q exact"});
   const std::vector<Setting> all = settings(values);
   for (std::size_t k = 0; k < all.size(); ++k) {
     const Setting& s = all[k];

@@ -1,27 +1,26 @@
 /*
-Which model should one take? A column of water twice as high as wide is let go at a wall and runs over a dry bed, by six
-models: free particles under Gauss's principle, the Lagrangian mesh, Dirichlet cells, particles of variable mass,
-overlapping particles, and weakly compressible SPH. The front that Martin and Moyce (1952) measured tells how far off
-each is.
+Which model suits a collapsing column? A water column twice as high as wide collapses at a wall and runs over a dry bed,
+computed with six models: Gauss-principle particles, the Lagrangian mesh, Dirichlet cells, variable-mass particles,
+overlapping particles, and weakly compressible SPH. The reference is the front measured by Martin and Moyce (1952).
 
 **Set-up.** Width $a$, gravity and density are 1; $T = t\sqrt{2g/a}$. Gauss-principle particles are set as in
-`collapse_gauss`, SPH has the settings of `dam_break_sph_front` with a sound speed of ten times the velocity of a free
-fall through the column's height. Mesh and cells are rectangles with a wall and a bed, free elsewhere; overlapping
-particles have their mirror images behind both. Each is refined in space and time together.
+`collapse_gauss`; SPH has the settings of `dam_break_sph_front` with a sound speed of ten times the free-fall velocity
+over the column height. Mesh and cells are rectangles with a wall and a bed, free elsewhere; overlapping particles have
+mirror images behind both. Each model is refined in space and time together.
 
-**What is compared.** The front with the measured points, with the one shift of the time origin that fits them best, for
-a diaphragm of waxed paper had to melt first: the root mean square over the width, of the points up to T = 3.4. Then
-each goes on to T = 5, unless it breaks down or its front is off by half of the width.
+**What is compared.** The front with the measured points, after the best shift of the time origin (the experiment
+released the column by melting a diaphragm of waxed paper): rms difference over the width, for points up to T = 3.4.
+Each model then continues to T = 5, unless it breaks down or its front is in error by half of the width.
 
-**What to look at.** Two models get there: free particles go through the points within what these are known by, on eight
-cells to the width; SPH comes near as its viscosity falls with the spacing, and loses a fifth of the energy. The others
-are no models for this: the mesh tangles at the upper corner of the column, which becomes a straight piece of surface;
-of the Dirichlet cells a triangle at the toe, where the water runs fastest, inverts; overlapping particles are pressed
-through the bed, for single pressures are chequered; particles of variable mass want one height of the surface over
-every place, and cannot represent a column. They give out the sooner the finer they are.
+**What to look at.** Two models complete: Gauss-principle particles agree with the points within their uncertainty, on
+eight cells over the width; SPH approaches the points as its viscosity falls with the spacing, and loses 20 % of the
+energy. The other models fail. The mesh tangles at the upper corner of the column, whose right angle opens until it is
+straight. A triangle of the Dirichlet cells inverts at the toe, where velocities are highest. Overlapping particles pass
+through the bed, because single pressures are chequered. Variable-mass particles need a single-valued surface elevation
+and cannot represent a column. Each of these fails earlier at finer resolution.
 
-**When it is no test.** After the tongue has become thinner than a cell or a spacing. The discrete dispersive shallow
-water has no vertical front.
+**Limits of this test.** No comparison is meaningful once the tongue is thinner than a cell or spacing. Dispersive
+shallow water has no vertical front.
 */
 #include <algorithm>
 #include <cmath>
@@ -229,7 +228,7 @@ Trial trial_of(const Values& values) {
           .last = values.real("last") / unit,
           .looks = 20,
           .useless = 0.5,
-          .useless_in_words = "the front is off by half of the column's width",
+          .useless_in_words = "the front error exceeds half of the column width",
           .energy_scale = column_aspect * column_aspect / 2,
           .reference_uncertainty = data.uncertainty * std::sqrt(2 / points)};
 }
@@ -238,33 +237,35 @@ void claims(const Values& values, const Claims<Contest>& all) {
   const Claims<Contest> claims = all.at(fmt::format("the finest, T = {:g}", values.real("time")));
   const ColumnFront data = data_of(values);
   for (const Named& model : {particles, sph}) {
-    claims_of(claims.only_if(values.real("time") <= 3.6, "later the tongue is thin"), model.id)
+    claims_of(claims.only_if(values.real("time") <= 3.6, "the tongue is thin at later times"), model.id)
         .from(data.citation)
         .check(model.id + "-front",
-               fmt::format("With one shift the front goes through the measured points: {}.", model.name),
+               fmt::format("The front position after one time shift agrees with the measured points: {}.", model.name),
                "rms difference of X/a", error_of_finest, through_points(data));
     claim_dissipates(claims_of(claims, model.id), model,
-                     "the penalty of the free particles and the viscosity of SPH only take", source);
-    claim_lasts(
-        claims_of(claims.only_if(values.real("last") <= 5, "nobody knows how thin a tongue they follow"), model.id),
-        model, trial_of(values).last, source);
+                     "the penalty of the Gauss-principle particles and the viscosity of SPH are purely dissipative",
+                     source);
+    claim_lasts(claims_of(claims.only_if(values.real("last") <= 5,
+                                         "the smallest tongue thickness that the particles resolve is unknown"),
+                          model.id),
+                model, trial_of(values).last, source);
   }
   claims_of(claims, "particles")
-      .check("particles-energy-loss", "What the penalty takes from the free particles is no part of the flow.",
-             "change over the energy of the beginning", energy_of_finest,
+      .check("particles-energy-loss",
+             "The dissipation of the penalty on Gauss-principle particles is below the energy of eddies at the front, "
+             "one cell high.",
+             "change over the initial energy", energy_of_finest,
              Bound{.limit = 0.01 / values.number("particles"),
-                   .reason = "a hundredth for eddies of a cell at the front, which is a cell high: a cell of as many "
-                             "as are in the width, of a column that falls as a whole"});
+                   .reason = "1 %, for eddies of one cell at the front, which is one cell high: one cell of the number "
+                             "over the width, of a column that falls as a whole"});
   claim_breaks(claims_of(claims, "mesh"), {"mesh", "the Lagrangian mesh"},
-               "the right angle between top and face opens until it is straight, and there a corner of a cell inverts",
-               source);
+               "the right angle between top and face opens until it is straight, where a cell corner inverts", source);
   claim_breaks(claims_of(claims, "dirichlet"), {"dirichlet", "Dirichlet cells"},
                "the outline meets the bed at the toe, and cells cannot change the outline", source);
   claim_breaks(claims_of(claims, "overlapping"), {"overlapping", "overlapping particles"},
-               "single multipliers are chequered by many times the pressure, and drive single particles at the bed",
-               source);
+               "chequered multipliers of many times the pressure drive single particles at the bed", source);
   claim_breaks(claims_of(claims, "variable-mass"), {"variable-mass", "particles of variable mass"},
-               "nodes of its surface slide along it as a function of x, and a face is none", source);
+               "surface nodes represent the elevation as a function of x, which a vertical face is not", source);
 }
 
 Contest compute(const Run& run) {
@@ -289,11 +290,11 @@ void dam_break_models(Case& c) {
   c.parameters = {
       real("time", 3.6, "sqrt(width/2g)", {2.3, 6}, "at which errors are compared"),
       real("last", 5.0, "sqrt(width/2g)", {2.3, 6}, "until which the models are followed"),
-      integer("particles", {8, 16, 16}, {4, 32}, "cells of the free particles to the width, finest of three"),
+      integer("particles", {8, 16, 16}, {4, 32}, "cells of the Gauss-principle particles per width, finest of three"),
       integer("mesh", {16, 32, 32}, {4, 64}, "columns of the Lagrangian mesh, finest of three"),
       integer("cells", {16, 32, 32}, {4, 64}, "columns of Dirichlet cells and variable masses, finest of three"),
-      integer("overlapping", {16, 32, 32}, {8, 64}, "overlapping particles to the width, finest of three"),
-      integer("sph", {24, 60, 60}, {10, 200}, "SPH particles to the width, finest of three"),
+      integer("overlapping", {16, 32, 32}, {8, 64}, "overlapping particles per width, finest of three"),
+      integer("sph", {24, 60, 60}, {10, 200}, "SPH particles per width, finest of three"),
   };
   c.study = Study(claims, compute, show, source);
 }

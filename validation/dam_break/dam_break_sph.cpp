@@ -1,24 +1,24 @@
 /*
-A column of water at the rear wall of an open tank is let go: any column, any tank, any setting of weakly compressible
-SPH. The cases of the publications, `dam_break_sph_front`, `dam_break_sph_turbulence` and
-`dam_break_sph_koshizuka`, are this one with their numbers.
+A water column collapses at the rear wall of an open tank, for any column, tank and setting of weakly compressible SPH.
+The cases of the publications, `dam_break_sph_front`, `dam_break_sph_turbulence` and `dam_break_sph_koshizuka`, are this
+case with their parameters.
 
-**Set-up.** Column, tank, spacing and lattice of particles are parameters; so are kernel, viscosity, density filter,
-walls. Densities begin hydrostatic. Time is $T = t\sqrt{2g/a}$, $a$ the width of the column; beside square columns
-it is $t\sqrt{g/a}$, as their front was published.
+**Set-up.** Column, tank, spacing and particle arrangement are parameters; so are kernel, viscosity, density filter and
+walls. Initial densities are hydrostatic. Time is $T = t\sqrt{2g/a}$, $a$ the width of the column; for square columns
+$t\sqrt{g/a}$, as published.
 
-**What is compared.** The position of the front, the largest $x$ of particles with at least four neighbours, with a
-published one (`data`): as it stands, and with one shift of the time origin, for laboratories let a column go by melting
-or pulling something. Points count until the far wall is near.
+**What is compared.** The front position, the largest $x$ of particles with at least four neighbours, with a published
+front (`data`): without a shift, and with one shift of the time origin, because laboratories release a column by melting
+or pulling a gate. Points count until the far wall is near.
 
-Others' solvers are scored by the same columns: `seiche score dam_break_sph` takes a front, of any method. How long the
-release took nobody knows, but how fast the front runs can be evaluated: a shift and a rate are fitted together, over
-all points that are known, or as far as the submitter's tank goes (`judged_to`). Four points up to the wall of the
-default tank say too little of the rate to decide.
+External results are scored by the same columns: `seiche score dam_break_sph` accepts a front computed with any method.
+The release time is unknown, but the front speed can be evaluated: a shift and a rate are fitted together, over all
+known points, or as far as the submitter's tank reaches (`judged_to`). The four points up to the wall of the default
+tank do not determine the rate.
 
-**What to look at.** The shift: 0.1 to 0.3 for Martin and Moyce, who melted a diaphragm. And the Mach number: the usual
-sound speed, ten times $\sqrt{gH}$ or $\sqrt{2gH}$, does not keep it at a tenth (`sound_from=height`). So a first run
-with it tells the largest speed, from which the sound speed follows.
+**What to look at.** The shift: 0.1 to 0.3 for Martin and Moyce, who melted a diaphragm. The Mach number: the usual
+sound speed, ten times $\sqrt{gH}$ or $\sqrt{2gH}$, does not keep it below 0.1 (`sound_from=height`). A first run with
+it therefore gives the maximum velocity, from which the sound speed follows.
 */
 #include <algorithm>
 #include <cmath>
@@ -90,7 +90,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
       .at(&SphCollapse::resolution)
       .check("contained", "The number of particles that leave the tank through a wall is zero.",
              "particles outside the tank at the end", &SphCollapse::lost,
-             Bound{.limit = 0, .reason = "walls are tight"});
+             Bound{.limit = 0, .reason = "walls are impermeable"});
 }
 
 void compare(evidence::Exhibit& exhibit, const SphCollapse& computed, const ColumnFront& data, const SphDam& dam,
@@ -114,11 +114,11 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   measure_run(exhibit, computed);
   measure_sound(exhibit, r.collapse);
   if (!computed.roundings.empty()) {
-    evidence::Table& table = add_table(exhibit, "roundings", "Lengths that were rounded", "", {"what"});
+    evidence::Table& table = add_table(exhibit, "roundings", "Lengths adjusted to the spacing", "", {"what"});
     for (const std::string& rounding : computed.roundings) table.rows.push_back({rounding});
   }
   auto& panel = add_panel(exhibit, "front", "Position of the front",
-                          fmt::format("Over the width of the column; {}.", computed.resolution()),
+                          fmt::format("Over the column width; {}.", computed.resolution()),
                           {.x = data.tall ? "t sqrt(2g/a)" : "t sqrt(g/a)", .y = "X/a"});
   panel.line("SPH", computed.T, computed.front, Role::computed);
   if (compared) compare(exhibit, computed, data, dam, panel);
@@ -136,7 +136,7 @@ struct Judged {
 
 Judged judged_by(const Values& values) {
   if (values.text("data") == "none") {
-    throw std::invalid_argument("data = none: there is nothing to score a front by; choose a published one");
+    throw std::invalid_argument("data = none: no reference front to score by; choose a published one");
   }
   const ColumnFront data = column_front(values.text("data"), values);
   const double whole = data.tank > 0 ? data.tank - 0.1 : largest(data.X);
@@ -165,23 +165,23 @@ std::vector<std::string> data_choices() {
 }  // namespace
 
 void dam_break_sph(Case& c) {
-  c.title = "A column of water collapses: weakly compressible SPH";
+  c.title = "Collapse of a water column: weakly compressible SPH";
   c.source = "R. A. Dalrymple, B. D. Rogers, Coastal Eng. 53 (2006) 141; " + literature::plunging_sph + ", section 3";
-  c.parameters = with(
-      {real("column_width", 0.05715, "m", {1e-4, 100}, "width a of the column"),
-       real("column_height", 0.1143, "m", {1e-4, 100}, "height of the column"),
-       real("tank_length", 0.2286, "m", {1e-4, 1000}, "length of the tank"),
-       real("wall_height", 0.200025, "m", {1e-4, 1000}, "height of its walls"),
-       real("dx", {0.05715 / 20, 0.05715 / 50, 0.05715 / 100}, "m", {1e-6, 10}, "spacing of the particles"),
-       choice("lattice", "square", {"square", "body_centred"}, "lattice of the particles"),
-       integer("wall_rows", 2, {2, 3}, "rows of wall particles"),
-       real("gravity", 9.81, "m/s^2", {1e-6, 1e6}, "acceleration of gravity"),
-       real("density", 1000.0, "kg/m^3", {1e-6, 1e6}, "density at rest"),
-       real("last", 3.2, "1", {0.01, 100}, "scaled time at the end"),
-       integer("frames", 9, {2, 10000}, "instants whose particles are kept for ParaView"),
-       choice("data", "martin_moyce_tall_wide", data_choices(), "published front that is compared"),
-       real("judged_to", 0.0, "1", {0, 1000}, "X/a up to which a submitted front is scored; 0: all that is known")},
-      sph_dam_parameters({.alpha = 0.3}));
+  c.parameters =
+      with({real("column_width", 0.05715, "m", {1e-4, 100}, "width a of the column"),
+            real("column_height", 0.1143, "m", {1e-4, 100}, "height of the column"),
+            real("tank_length", 0.2286, "m", {1e-4, 1000}, "length of the tank"),
+            real("wall_height", 0.200025, "m", {1e-4, 1000}, "height of its walls"),
+            real("dx", {0.05715 / 20, 0.05715 / 50, 0.05715 / 100}, "m", {1e-6, 10}, "spacing of the particles"),
+            choice("lattice", "square", {"square", "body_centred"}, "arrangement of the particles"),
+            integer("wall_rows", 2, {2, 3}, "rows of wall particles"),
+            real("gravity", 9.81, "m/s^2", {1e-6, 1e6}, "acceleration of gravity"),
+            real("density", 1000.0, "kg/m^3", {1e-6, 1e6}, "density at rest"),
+            real("last", 3.2, "1", {0.01, 100}, "scaled time at the end"),
+            integer("frames", 9, {2, 10000}, "instants whose particles are written for ParaView"),
+            choice("data", "martin_moyce_tall_wide", data_choices(), "published front for comparison"),
+            real("judged_to", 0.0, "1", {0, 1000}, "X/a up to which a submitted front is scored; 0: all points")},
+           sph_dam_parameters({.alpha = 0.3}));
   c.study = Study(claims, compute, show, "Dalrymple and Rogers (2006)");
   c.submission = {.tables = wanted, .judge = judge};
 }

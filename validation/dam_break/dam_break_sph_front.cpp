@@ -1,24 +1,23 @@
 /*
-A column of water, $a = 5.7$ cm wide and twice as high, falls in an open tank $4a$ long: the dam break of Martin and
-Moyce (1952), as weakly compressible SPH computes it in figure 2 of the publication; figure 1 is its domain.
+A water column, $a = 5.7$ cm wide and $2a$ high, collapses in an open tank $4a$ long: the dam break of Martin and Moyce
+(1952), as computed with weakly compressible SPH in figure 2 of the publication; figure 1 is its domain.
 
 **Set-up.** Walls $3.5a$ high; artificial viscosity $\alpha = 0.3$, XSPH $\epsilon = 0.5$, no density filter, $h =
-1.3\,dx$. The publication wants $c_0$ ten times as large as the largest speed of the whole run. A first run with $c_0 =
-10\sqrt{2gH}$, $H = 2a$, as the usual rule has it, tells that speed; there it is up to a fifth of $c_0$. The second run,
-with 12.5 times that speed and the same $\alpha c_0$, is the computation. The publication's 11103 particles are two in
-each of 50 by 100 cells and 1103 of the walls, whose corners are counted twice (tier `paper`); a square lattice with one
-in each cell gives the same front. Tier `full`: five spacings from $a/18$ to $a/71$. $T = t\sqrt{2g/a}$.
+1.3\,dx$. The publication asks for a sound speed $c_0$ of ten times the maximum velocity of the run. A first run with
+$c_0 = 10\sqrt{2gH}$, $H = 2a$, the usual rule, gives that velocity, which reaches $c_0/5$. The second run, with 12.5
+times that velocity and the same $\alpha c_0$, is the computation. The publication's 11103 particles are two in each of
+50 by 100 cells and 1103 in the walls, whose corners are counted twice (tier `paper`); a square arrangement with one
+particle per cell gives the same front. Tier `full`: five spacings from $a/18$ to $a/71$. $T = t\sqrt{2g/a}$.
 
-**What is compared.** The front with the points of the wider column, $a = 5.715$ cm: as it stands, and with one shift
-of the time origin, for the columns were let go by melting a diaphragm of waxed paper, which delays the start by a time
-that was not measured. The publication reports good agreement and no shift. Its volume-of-fluid curve cannot be
-repeated from the text: OpenFOAM's interFoam (`examples/solvers/openfoam`), which has no artificial viscosity to hold
-the column back, takes its place.
+**What is compared.** The front with the points of the wider column, $a = 5.715$ cm: without a shift, and with one shift
+of the time origin, because the columns were released by melting a diaphragm of waxed paper, with a delay that was not
+measured. The publication reports good agreement and no shift. Its volume-of-fluid curve cannot be repeated from the
+text: OpenFOAM's interFoam (`examples/solvers/openfoam`), which has no artificial viscosity, takes its place.
 
-**What to look at.** As it stands the computed front is ahead, by 7 to 10 per cent with the publication's spacing
-$a/50$, as a column must be that nothing delays. Shifted, it goes through the points. Artificial viscosity goes with the
-spacing: the finer the lattice, the faster the front, by 1.27 $\sqrt{2ga}$ with $a/30$, 1.32 with $a/50$ and 1.33 with
-$a/71$, where the points say 1.28.
+**What to look at.** Without a shift the computed front is ahead, by 7 to 10 % at the publication's spacing $a/50$, as
+expected of an instantaneous release. Shifted, it passes through the points. Artificial viscosity is proportional to the
+spacing: the front speed rises with resolution, 1.27 $\sqrt{2ga}$ at $a/30$, 1.32 at $a/50$ and 1.33 at $a/71$, compared
+with 1.28 from the points.
 */
 #include <algorithm>
 #include <array>
@@ -100,20 +99,21 @@ void claim_front(const Claims<SphCollapse>& claims, const ColumnFront& data, con
   };
   claims
       .fails({.width = std::numeric_limits<double>::infinity(),
-              .reason = "artificial viscosity, which goes with the spacing, holds the column back as well: "
-                        "the shift is 0.09 with a/30, 0.15 with a/50, 0.20 with a/71"},
+              .reason = "artificial viscosity, proportional to the spacing, retards the column as well: the shift is "
+                        "0.09 with a/30, 0.15 with a/50, 0.20 with a/71"},
              cells < 50)
       .check("shift",
              "The measured front lags the computed one by the time that the diaphragm takes to melt, 0.1 to 0.3.",
              "shift of the time origin, in sqrt(a/2g)", fitted(&ShiftedFront::shift), release_delay());
-  claims.check("rms", "With this one shift the front goes through the measured points.", "rms difference of X/a",
-               fitted(&ShiftedFront::rms), through_points(data));
-  claims.only_if(cells >= 50, "the viscosity of wider spacings holds the column back by as much")
+  claims.check("rms", "The front position after one time shift agrees with the measured points.",
+               "rms difference of X/a", fitted(&ShiftedFront::rms), through_points(data));
+  claims.only_if(cells >= 50, "the viscosity at larger spacings retards the column by as much")
       .fails({.width = std::numeric_limits<double>::infinity(),
-              .reason = "let go at once, the water is ahead of one behind a diaphragm that has to melt, by its speed "
+              .reason = "released instantaneously, the front is ahead of one behind a melting diaphragm by its speed "
                         "times the shift"})
       .check(
-          "unshifted", "Without a shift of time the front goes through the measured points.", "rms difference of X/a",
+          "unshifted", "The front position without a time shift agrees with the measured points.",
+          "rms difference of X/a",
           [data](const SphCollapse& run) { return over<Mean>(fit_of(run, data).raw_off, std::identity{}).rms(); },
           through_points(data));
   claims.from(publication)
@@ -125,7 +125,7 @@ void claim_front(const Claims<SphCollapse>& claims, const ColumnFront& data, con
           [data, vof](const SphCollapse& run) {
             return fit_of(run, data).raw_rms / shifted_front(vof.curve(), data.curve(), tank - 0.1).raw_rms;
           },
-          Bound{.limit = 1, .reason = "nearer is less than one"});
+          Bound{.limit = 1, .reason = "nearer means a ratio below 1"});
 }
 
 /// By the publication's spacing where the tier has it. Finer lattices have less artificial viscosity, and their front
@@ -153,7 +153,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
     return same < std::ssize(runs) ? runs[static_cast<std::size_t>(same)].run : runs.back().run;
   };
   claim_speed(claims.of(published).at(&SphCollapse::resolution), data);
-  claims.only_if(ladder.size() >= 3, "its uncertainty needs three lattices, which the full tier affords")
+  claims.only_if(ladder.size() >= 3, "its uncertainty needs three spacings, computed in the full tier")
       .at([](const Results& runs) { return runs.back().run.resolution(); })
       .check(
           "speed-uncertain",
@@ -167,7 +167,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
           Uncertainty{.expected = speed_of(data.curve()),
                       .data = std::numbers::sqrt2 * data.uncertainty / (data.T[3] - data.T[2]),
                       .useful = 0.4 * speed_of(data.curve()),
-                      .reason = "two points, known to 0.05 each, 0.55 apart in T; beyond 40 % nothing is said"});
+                      .reason = "two points, uncertain by 0.05 each, 0.55 apart in T; inconclusive beyond 40 %"});
 }
 
 void draw(evidence::Exhibit& exhibit, const SphDam& dam, const Results& runs, const ColumnFront& data,
@@ -179,18 +179,16 @@ void draw(evidence::Exhibit& exhibit, const SphDam& dam, const Results& runs, co
     x[which].push_back(start.x[p] / a);
     z[which].push_back(start.z[p] / a);
   }
-  auto& sketch =
-      add_panel(exhibit, "domain", "Domain of the dam break",
-                fmt::format("Particles at the beginning: {} of water, {} of the walls.", x[0].size(), x[1].size()),
-                {.x = "x/a", .y = "z/a", .equal_aspect = true}, {"sph-fig-1"});
+  auto& sketch = add_panel(exhibit, "domain", "Domain of the dam break",
+                           fmt::format("Initial particles: {} of water, {} of the walls.", x[0].size(), x[1].size()),
+                           {.x = "x/a", .y = "z/a", .equal_aspect = true}, {"sph-fig-1"});
   sketch.points("water", x[0], z[0], Role::computed);
   sketch.points("walls", x[1], z[1], Role::data);
 
   const SphCollapse& finest = runs.back().run;
   const ShiftedFront fit = fit_of(finest, data);
-  auto& figure =
-      exhibit.figure("front", "Position of the front",
-                     "As it stands, and later by one shift of the time origin; the far wall is at 4.", {"sph-fig-2"});
+  auto& figure = exhibit.figure("front", "Position of the front",
+                                "Without and with one shift of the time origin; the far wall is at 4.", {"sph-fig-2"});
   auto& panel = figure.panel({.x = "t sqrt(2g/a)", .y = "X/a", .x_min = 0, .x_max = last, .y_min = 1, .y_max = tank});
   panel.line("SPH", finest.T, finest.front, Role::computed);
   panel.line(fmt::format("SPH, {:.2f} later", fit.shift), each(finest.T, [&](double T) { return T + fit.shift; }),
@@ -227,10 +225,10 @@ void dam_break_sph_front(Case& c) {
   c.title = "The dam break of Martin and Moyce by weakly compressible SPH";
   c.source = literature::plunging_sph + ", figures 1 and 2; " + literature::martin_moyce;
   c.tiers = {Tier::quick, Tier::full, Tier::paper};
-  c.parameters = with(
-      {integer("cells", {30, 71, 50}, {10, 1000}, "particle spacings in the width of the column"),
-       choice("lattice", {"square", "square", "body_centred"}, {"square", "body_centred"}, "lattice of the particles")},
-      sph_dam_parameters({.alpha = 0.3}));
+  c.parameters = with({integer("cells", {30, 71, 50}, {10, 1000}, "particle spacings in the width of the column"),
+                       choice("lattice", {"square", "square", "body_centred"}, {"square", "body_centred"},
+                              "arrangement of the particles")},
+                      sph_dam_parameters({.alpha = 0.3}));
   c.published = {{.tiles = {"sph-fig-1"},
                   .stated = {"alpha", "courant", "diffusion", "filter", "isotropic", "kernel", "nu0", "shifting",
                              "smagorinsky", "smoothing", "viscosity", "walls", "xsph"},

@@ -1,23 +1,23 @@
 /*
-A square column of water, $a = 30$ cm, falls in an open tank $3a$ long, runs up the far wall and comes back as a jet:
-weakly compressible SPH with laminar viscosity and the stress of unresolved eddies (figure 3 of the publication).
+A square water column, $a = 30$ cm, collapses in an open tank $3a$ long, runs up the far wall and falls back as a jet:
+weakly compressible SPH with laminar viscosity and sub-particle-scale (SPS) stress (figure 3 of the publication).
 
-**Set-up.** Walls $1.75a$ high, $\nu_0 = 10^{-6}$ m$^2$/s, $C_S = 0.12$, $C_I = 0.00066$, density filter every 30
-steps. The sound speed is 12.5 times the largest speed of a first run with $c_0 = 10\sqrt{2ga}$, in which spray moves at
-more than a fifth of it. The steps are $0.2\,h/c$ in the tier `quick` and $0.15\,h/c$ with more cells: the midpoint rule
-lets short sound grow, which nothing but the eddies damps here, and twelve thousand steps of $0.3\,h/c$ on $a/30$ end in
-a particle of half its density. The publication's 7983 particles are two in each of 60 by 60 cells and 783 of the walls,
-in two rows; the tier `paper` gives its walls a third row.
+**Set-up.** Walls $1.75a$ high, $\nu_0 = 10^{-6}$ m$^2$/s, $C_S = 0.12$, $C_I = 0.00066$, density filter every 30 steps.
+The sound speed is 12.5 times the maximum velocity of a first run with $c_0 = 10\sqrt{2ga}$, in which spray exceeds
+$c_0/5$. Time steps are $0.2\,h/c$ in the tier `quick` and $0.15\,h/c$ at finer spacings: the midpoint rule amplifies
+short sound waves, which only the SPS stress damps here, and twelve thousand steps of $0.3\,h/c$ at $a/30$ end with a
+particle of half its density. The publication's 7983 particles are two in each of 60 by 60 cells and 783 in the walls,
+in two layers; the tier `paper` gives the walls a third layer.
 
 **What is compared.** Frames at the six times of the publication, coloured by speed. Its photographs cannot be
-identified from the text, so they are shown, and the events in them are found by detectors: when the front strikes the
-wall, how high the water runs up, whether a jet falls back. As a number: the front with the square column of
-Martin and Moyce (1952), which was smaller, in the time $t\sqrt{g/a}$, as it stands and with one shift of the time
-origin.
+identified from the text, so they are shown, and detectors time the events in them: impact of the front on the wall,
+run-up height, fall of the jet. As a number: the front with the square column of Martin and Moyce (1952), which was
+smaller, in the time $t\sqrt{g/a}$, without and with one shift of the time origin.
 
-**What to look at.** Spray rises above the walls: there is no lid. What leaves the tank is counted. The publication's
-two rows of walls are no denser than one of the two lattices of its water, and where the water strikes, some of it
-passes between them (`--set wall_rows=2`); how much of it the publication lost, it does not say. A third row keeps all.
+**What to look at.** Spray rises above the walls; there is no lid. Particles that leave the tank are counted. The
+publication's two wall layers are no denser than one of the two particle arrangements of its water, and on impact some
+water passes between them (`--set wall_rows=2`); the publication does not state its loss. A third layer retains all
+water.
 */
 #include <array>
 #include <cmath>
@@ -115,12 +115,12 @@ void claim_front(const Claims<SphCollapse>& claims, const ColumnFront& data, boo
   const auto fitted = [data](double ShiftedFront::*member) {
     return [data, member](const SphCollapse& series) { return fit_of(series, data).*member; };
   };
-  claims.only_if(enough, "spacings of a twentieth of the column delay the front by a tenth of sqrt(a/g)")
+  claims.only_if(enough, "a spacing of a/20 delays the front by 0.1 sqrt(a/g)")
       .from(data.citation)
       .check("shift", "The measured front of the square column lags by the delay expected of its diaphragm.",
              "shift of the time origin, in sqrt(a/g)", fitted(&ShiftedFront::shift), release_delay());
   claims.from(data.citation)
-      .check("rms", "With this one shift the front goes through the measured points.", "rms difference of X/a",
+      .check("rms", "The front position after one time shift agrees with the measured points.", "rms difference of X/a",
              fitted(&ShiftedFront::rms), through_points(data));
 }
 
@@ -136,10 +136,10 @@ void claim_events(const Claims<Frames>& claims) {
         [unit](const Frames& frames) {
           return frames.series().reaches_wall > 0.160 * unit && frames.series().reaches_wall < 0.364 * unit;
         });
-  event("runs-up", "At the fourth frame the jet along the wall is higher than the column was.",
+  event("runs-up", "The jet along the wall at the fourth frame is higher than the initial column.",
         "connected particles within six spacings of the wall above z = a at 0.485 s",
         [](const Frames& frames) { return frames.heights.at(3).far_wall > a; });
-  event("falls-back", "At the fifth or sixth frame water hangs over the layer away from the wall.",
+  event("falls-back", "Water overhangs the layer away from the wall at the fifth or sixth frame.",
         "connected particles above half of the column's height, a quarter to one a from the wall",
         [](const Frames& frames) { return frames.heights.at(4).jet > 0.5 * a || frames.heights.at(5).jet > 0.5 * a; });
 }
@@ -148,12 +148,11 @@ void claim_events(const Claims<Frames>& claims) {
 void claim_contained(const Claims<SphCollapse>& claims, bool passed) {
   claims
       .fails({.width = std::numeric_limits<double>::infinity(),
-              .reason = "cause unknown: by sixty spacings to the column one of 4776 particles of a square lattice "
-                        "passes the rows of a wall"},
+              .reason = "cause unknown: at a/60 one of 4776 particles of a square arrangement passes the wall layers"},
              passed)
       .check("contained", "The number of particles beside or below the tank at the end is zero.",
              "particles beside or below the tank at the end", &SphCollapse::lost,
-             Bound{.limit = 0, .reason = "walls are tight, and spray that rises above them falls back inside"});
+             Bound{.limit = 0, .reason = "walls are impermeable, and spray that rises above them falls back inside"});
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
@@ -200,7 +199,7 @@ void draw(evidence::Exhibit& exhibit, const Results& runs, const ColumnFront& da
         {.title = fmt::format("t = {:.3f} s", times[k]), .frame = {-0.03 * a, (tank + 0.03) * a, -0.03 * a, 2.2 * a}});
   }
   auto& panel = add_panel(exhibit, "front", "Position of the front",
-                          "Beside the square column of Martin and Moyce: as it stands, and with one shift.",
+                          "Beside the square column of Martin and Moyce: without and with one shift.",
                           {.x = "t sqrt(g/a)", .y = "X/a", .x_max = 3, .y_max = tank});
   for (const Frames& one : runs) {
     panel.line(fmt::format("SPH, a/{:.0f}", a / one.series().spacing), one.series().T, one.series().front,
@@ -226,11 +225,11 @@ void dam_break_sph_turbulence(Case& c) {
   c.title = "A dam break with sub-particle-scale turbulence";
   c.source = literature::plunging_sph + ", figure 3; " + literature::martin_moyce;
   c.tiers = {Tier::quick, Tier::full, Tier::paper};
-  c.parameters = with(
-      {integer("cells", {20, 60, 60}, {10, 1000}, "particle spacings in the width of the column"),
-       choice("lattice", {"square", "square", "body_centred"}, {"square", "body_centred"}, "lattice of the particles"),
-       integer("wall_rows", {2, 3, 3}, {2, 3}, "rows of wall particles")},
-      sph_dam_parameters({.viscosity = "sps", .filter = 30, .courant = {0.2, 0.15, 0.15}}));
+  c.parameters = with({integer("cells", {20, 60, 60}, {10, 1000}, "particle spacings in the width of the column"),
+                       choice("lattice", {"square", "square", "body_centred"}, {"square", "body_centred"},
+                              "arrangement of the particles"),
+                       integer("wall_rows", {2, 3, 3}, {2, 3}, "rows of wall particles")},
+                      sph_dam_parameters({.viscosity = "sps", .filter = 30, .courant = {0.2, 0.15, 0.15}}));
   c.published = {{.tiles = {"sph-fig-3"},
                   .tier = Tier::paper,
                   .stated = {"cells", "lattice", "diffusion", "filter", "isotropic", "kernel", "nu0", "shifting",

@@ -1,26 +1,26 @@
 /*
-A column of water of length $L$ and height $H$ stands on a floor against a wall; the wall on its other side is gone at
-$t = 0$. At that instant nothing moves yet, and the pressure is a harmonic function, known as a series:
+A water column of length $L$ and height $H$ stands on a floor against a wall; the wall on its other side vanishes at $t
+= 0$. At that instant all velocities are zero, and the pressure is a harmonic function, known as a series:
 
 $$\frac{p}{\rho g} = H - y - \sum_{n \ge 0} \frac{2}{H k_n^2} \cos k_n y \, \frac{\cosh k_n x}{\cosh k_n L}, \qquad
 k_n = \left(n + \tfrac12\right) \frac{\pi}{H} .$$
 
 **Set-up.** Dirichlet cells of staggered rows, spacing $h = H/n_y$, $n_y = 8, 16, \dots$. The multipliers $\lambda$ of
 the constant areas are the dynamic pressure $p + \rho g y$; one solution of $A \lambda = \dots$ gives them. With the
-stabilisation $\epsilon$ the matrix is $A + \epsilon \frac{\mathrm{tr} A}{N} L^T L$ instead, $L$ a node's value less
-the mean of its neighbours'.
+stabilisation $\epsilon$ the matrix is $A + \epsilon \frac{\mathrm{tr} A}{N} L^T L$, where $L$ is a node's value minus
+the mean of its neighbours.
 
-**What is compared.** The pressure at the foot of the wall, and the root mean square of the error over all cells except
-at the free faces, whose pressure is taken half a cell inside.
+**What is compared.** The pressure at the foot of the wall, and the rms error over all cells except at the free faces,
+whose pressure is taken half a cell inside.
 
-**What to look at.** The mesh is regular, and so the matrix is nearly singular: without stabilisation the pressure is
-chequered, and the error of first order. Little stabilisation cures that; much of it, 1, smooths the pressure itself.
-At the toe the acceleration is infinite like the logarithm of the distance, which keeps the order a little below 2. At
-the free faces a node has neighbours on one side only: there $L$ sees the slope of the pressure, an error of the size
-$\epsilon h$, which takes over on finer meshes (order 1.2 with $\epsilon = 1$, 1.6 between $n_y = 64$ and 128 with 0.1).
+**What to look at.** The mesh is regular, and the matrix therefore nearly singular: without stabilisation the pressure
+is chequered, and its error first-order. A small stabilisation removes the chequering; a large one, 1, smooths the
+pressure itself. At the toe the acceleration has a logarithmic singularity, which keeps the order slightly below 2. At
+the free faces a node has neighbours on one side only: there $L$ contains the pressure gradient, an error of the size
+$\epsilon h$, which dominates on finer meshes (order 1.2 with $\epsilon = 1$, 1.6 between $n_y = 64$ and 128 with 0.1).
 
-**What this is not.** It is the mesh at one instant. As the water moves, offsets of nodes in their cells grow that
-nothing restores, the loss of quality that the source reports.
+**Limits of this test.** It covers the mesh at one instant. As the water moves, node offsets within cells grow without a
+restoring force; the source reports this loss of quality.
 */
 #include <array>
 #include <cmath>
@@ -118,11 +118,12 @@ RefinementStudy study_of_table() {
 /// The order of the case's own stabilisation.
 Order order_of(double stabilisation) {
   if (stabilisation == 0) {
-    return {1, 0.3, "chequered pressures of the size of the step at the free faces, one cell wide: first order"};
+    return {1, 0.3,
+            "chequered pressures of the size of the pressure step at the free faces, one cell wide: first order"};
   }
   return {2, 0.3,
-          "cells of regular rows: second order; at the toe the pressure is like r log r, which takes 1/log(1/h), 0.25 "
-          "to 0.5 on these meshes, off the part of the error that comes from there"};
+          "cells of regular rows: second order; at the toe the pressure is like r log r, which reduces the order of "
+          "the error from there by 1/log(1/h), 0.25 to 0.5 on these meshes"};
 }
 
 struct Results {
@@ -144,7 +145,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
           "rms", "The rms error of the pressure inside is below the hydrostatic pressure over one cell.",
           "error over rho g H, rms", [](const Results& r) { return r.finest.rms; },
           Bound{.limit = 1 / static_cast<double>(finest),
-                .reason = "the hydrostatic pressure over one cell, twice what the cells of the free faces are off by"});
+                .reason = "the hydrostatic pressure over one cell, twice the error of the cells at the free faces"});
   claims
       .only_if(tabulated && stabilisation == 0.1, "less leaves the pressure chequered, more smooths it; " + other_shape)
       .at(fmt::format("h = H/{}", mesh_of_corner))
@@ -154,15 +155,16 @@ void claims(const Values& values, const Claims<Results>& claims) {
           "H).",
           "error over rho g H", [](const Results& r) { return r.corner - r.exact.pressure(0, 0) / r.height; },
           Bound{.limit = std::pow(std::numbers::pi / 2 / mesh_of_corner, 2) / 8,
-                .reason = "(k h)^2/8 of the gravest mode, k = pi/(2 H): what a second-order difference is off by"});
+                .reason = "(k h)^2/8 of the gravest mode, k = pi/(2 H): the error of a second-order difference"});
   claims
       .only_if(tabulated && (stabilisation == 0 || (stabilisation >= 0.001 && stabilisation <= 0.1)),
-               "with less the order changes from 2 to 1 on the way; more than 0.1 smooths the pressure; " + other_shape)
+               "with less the order changes from 2 to 1 with refinement; more than 0.1 smooths the pressure;  " +
+                   other_shape)
       .at(fmt::format("h = H/{} to H/{}", coarsest, finest_of_order))
       .check(
           "order",
-          stabilisation == 0 ? "Without stabilisation the pressure is of first order."
-                             : "The pressure is of second order on these meshes.",
+          stabilisation == 0 ? "The pressure error without stabilisation converges at first order."
+                             : "The pressure error converges at second order on these meshes.",
           "order of the error, rms", [](const Results& r) { return r.own.order(0, coarsest); },
           order_of(stabilisation));
 }
@@ -184,7 +186,7 @@ Results compute(const Run& run) {
 
 void draw_pressure(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   auto& figure =
-      exhibit.figure("pressure", "Pressure of a column of water at its release",
+      exhibit.figure("pressure", "Pressure of a water column at its release",
                      "Along the floor and along the wall, over rho g H, on the finest mesh.", {"frank-dirichlet"});
   struct Side {
     std::string axis;
@@ -217,7 +219,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 }  // namespace
 
 void dam_pressure_dirichlet(Case& c) {
-  c.title = "Pressure at the release of a column of water, on the Dirichlet mesh";
+  c.title = "Pressure at the release of a water column, on the Dirichlet mesh";
   c.source =
       "Series for the initial pressure (Pohle 1950; Stoker, Water Waves, 12.1); model: A. M. Frank, doctoral thesis "
       "(1994), section 5.2";

@@ -1,6 +1,6 @@
 /*
 A dam at $x = 10$ m holds water of depth $h_1 = 1$ m back from a dry bed and vanishes at $t = 0$. Ritter's solution is a
-parabola between the wave that runs back into the water and the dry front,
+parabola between the wave running back into the reservoir and the dry front,
 
 $$\sqrt{g h} = \tfrac13\left(2 c_1 - \frac{x - 10}{t}\right), \qquad -c_1 t < x - 10 < 2 c_1 t, \qquad c_1 = \sqrt{g
 h_1}.$$
@@ -9,13 +9,13 @@ Bogomolov, Zakharov and Zerkal compute it with **ten particles**, $\tau = 0.08$ 
 (their figure 6); figures 5 and 7 are the set-up and the exact parabola. They do not print $h_1$ and $g$; the wave
 positions fit their domain with $h_1 = 1$ m, and $g = 9.81$ m/s² is used here.
 
-**What is compared.** The position of the dry front, the means over each particle (*cell*), the profile the method
-itself takes within its particles (*reconstruction*; the front particle holds the tip of a parabola, not a rectangle),
-and the rectangles as drawn. Comparison schemes run on cells as wide as the particles were at the start, over a channel
-long enough for the front.
+**What is compared.** The position of the dry front, the means over each particle (*cell*), the profile that the method
+reconstructs within its particles (*reconstruction*; the front particle holds the tip of a parabola, not a rectangle),
+and the rectangles as drawn. Comparison schemes run on cells of the initial particle width, over a channel long enough
+for the front.
 
-**What to look at.** The front: by the rearrangement as the paper wrote it the last particle is a rectangle, one tenth
-of the water, and ends metres short of it. MacCormack's scheme has no answer over a dry bed.
+**What to look at.** The front: by the rearrangement as written in the paper the last particle is a rectangle, a tenth
+of the water, and ends metres short of the front. MacCormack's scheme breaks down over a dry bed.
 */
 #include <cmath>
 
@@ -70,7 +70,7 @@ struct Results {
 };
 
 void draw_setup(evidence::Exhibit& exhibit, double depth) {
-  auto& panel = add_panel(exhibit, "setup", "Dam break over a dry bed: the problem", "Water behind the dam at t = 0.",
+  auto& panel = add_panel(exhibit, "setup", "Dam break over a dry bed: initial state", "Water behind the dam at t = 0.",
                           {.x = "x [m]", .y = "elevation [m]", .x_min = 0, .x_max = 20, .y_min = -0.1, .y_max = 1.3},
                           {"bzz-fig-5"});
   panel.fill("water", std::vector<double>{0, dam}, std::vector<double>{depth, depth}, Role::water);
@@ -80,9 +80,10 @@ void draw_setup(evidence::Exhibit& exhibit, double depth) {
 
 /// The exact parabola at the paper's times with the particles' tip (figure 7).
 void draw_parabola(evidence::Exhibit& exhibit, const FlowRun& flow, double front) {
-  auto& panel = add_panel(exhibit, "parabola", "The dry dam-break parabola",
-                          "Ritter's profile and the particles' own curve: parabola tip in the front particle.",
-                          {.x = "x [m]", .y = "depth h [m]"}, {"bzz-fig-7"});
+  auto& panel =
+      add_panel(exhibit, "parabola", "The dry dam-break parabola",
+                "Ritter's profile and the reconstruction of the particles: parabola tip in the front particle.",
+                {.x = "x [m]", .y = "depth h [m]"}, {"bzz-fig-7"});
   const ProfileCurve exact = exact_curve(flow.problem, 0, front * 1.02, flow.time());
   const ProfileCurve own = computed_curve(flow.profile());
   panel.line("exact", exact.x, exact.depth, Role::exact);
@@ -100,7 +101,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
              Roundoff{.operations = std::pow(end / s.discretisation.time_step / 4, 2),
                       .scale = front,
                       .reason = "two roundings per step, of the increment and of the position, each by at most half an "
-                                "eps; the increment is the same in every step, so that they repeat and add up "
+                                "eps; the increment is the same in every step, so that roundings repeat and add up "
                                 "linearly: eps per step, which the criterion's factor 4 makes of steps/4",
                       .expected = front});
   claim_conservation(here.of(&Results::flow), s.problem, s.discretisation, end);
@@ -111,7 +112,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
           "maccormack", "MacCormack's scheme breaks down over a dry bed.", "finished",
           [](const Results& r) { return by_scheme(r.contestants, "maccormack").finished() ? 1.0 : 0.0; },
           Qualitative{.detector = "no negative or undefined depth until the end",
-                      .reason = "its predictor makes negative depths at a dry front",
+                      .reason = "the predictor gives negative depths at a dry front",
                       .expected = false});
 }
 

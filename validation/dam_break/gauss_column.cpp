@@ -12,7 +12,7 @@ using gauss_particles::LatticePlan;
 using gauss_particles::SplineSpace;
 
 std::string GaussColumn::resolution() const {
-  return fmt::format("{} cells to the width, {} particles to a side", cells, per_cell);
+  return fmt::format("{} cells per width, {} particles per side", cells, per_cell);
 }
 
 gauss_particles::Flow GaussColumn::start() const {

@@ -1,12 +1,11 @@
 /*
-The long channel with only **22 particles**, $\tau = 0.1$ s, at $t = 25$ s (figure 26 of Bogomolov, Zakharov and
-Zerkal, who do not state $h_1$: 1 m here).
+The long channel with only **22 particles**, $\tau = 0.1$ s, at $t = 25$ s (figure 26 of Bogomolov, Zakharov and Zerkal,
+who do not state $h_1$: 1 m here).
 
-**What is compared.** Mean depths, the bore's position and width; comparison schemes on 22 cells with the same step.
+**What is compared.** Mean depths, bore position and width; comparison schemes on 22 cells with the same step.
 
-**What to look at.** The Courant number is below 0.1, harmless for particles. Lax-Friedrichs is destroyed: its viscosity
-is
-$\Delta x^2/\tau$ and spreads the dam over the whole channel.
+**What to look at.** The Courant number is below 0.1, without effect on particles. Lax-Friedrichs spreads the dam break
+over the whole channel by its viscosity $\Delta x^2/\tau$.
 */
 #include "validation/case/literature.hpp"
 #include "validation/dam_break/wet_dam_break.hpp"

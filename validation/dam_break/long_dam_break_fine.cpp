@@ -1,10 +1,10 @@
 /*
-A longer channel: dam at $x = 100$ m in $[0, 200]$ m, $h_0/h_1 = 0.1$, 200 particles, $\tau = 0.05$ s, shown at $t
-= 25.3$ s, which is 506 steps (figure 25 of Bogomolov, Zakharov and Zerkal, who do not state $h_1$: 1 m here).
+A longer channel: dam at $x = 100$ m in $[0, 200]$ m, $h_0/h_1 = 0.1$, 200 particles, $\tau = 0.05$ s, shown at $t =
+25.3$ s, after 506 steps (figure 25 of Bogomolov, Zakharov and Zerkal, who do not state $h_1$: 1 m here).
 
-**What is compared.** Mean depths, the bore's position and width, beside the other levels of the method.
+**What is compared.** Mean depths, bore position and width, beside the other variants of the method.
 
-**What to look at.** After 78 m the bore is still one particle, a third of a metre late.
+**What to look at.** After 78 m the bore still occupies one particle and lags by a third of a metre.
 */
 #include "validation/case/literature.hpp"
 #include "validation/dam_break/wet_dam_break.hpp"

@@ -1,16 +1,15 @@
 /*
 The dam break of ratio 0.1 in a channel of 200 m by difference schemes: Lax-Friedrichs, MacCormack and first-order
-upwind,
-$\Delta x = 1$ m, at $t = 25$ s (figure 24 of Bogomolov, Zakharov and Zerkal), and beside them what is used today: a
-limited second-order scheme with the HLL flux.
+upwind, $\Delta x = 1$ m, at $t = 25$ s (figure 24 of Bogomolov, Zakharov and Zerkal), and current practice beside them:
+a limited second-order scheme with the HLL flux.
 
-**What is compared.** Mean depths and the position and width of the bore, beside as many particles ($\tau = 0.05$
-s), by the rearrangement as written and by the hand-over. The paper states no time step for the difference schemes: each
-runs at its own usual Courant number, 0.9 for the three explicit schemes that are stable up to 1, 0.4 for the limited
-one (`time_step` sets one for all).
+**What is compared.** Mean depths and the position and width of the bore, beside as many particles ($\tau = 0.05$ s), by
+the rearrangement as written and by the hand-over. The paper states no time step for the difference schemes: each runs
+at its usual Courant number, 0.9 for the three explicit schemes that are stable up to 1, 0.4 for the limited one
+(`time_step` sets one for all).
 
-**What to look at.** MacCormack oscillates behind the bore; the upwind scheme rounds the corners of the fan. At a tenth
-of its Courant number Lax-Friedrichs, whose viscosity is $\Delta x^2/\tau$, smears the bore over forty cells.
+**What to look at.** MacCormack oscillates behind the bore; the upwind scheme rounds the corners of the rarefaction. At
+a tenth of its Courant number Lax-Friedrichs, whose viscosity is $\Delta x^2/\tau$, smears the bore over forty cells.
 */
 #include <algorithm>
 #include <map>
@@ -86,13 +85,15 @@ void claims(const Values& values, const Claims<Results>& claims) {
                           scheme),
               "cell L1(h) over the error of the difference scheme",
               [=, scheme = scheme](const Results& r) { return r.error(particles) / r.error(scheme); },
-              Bound{.limit = 1, .reason = "the paper says so of its figures 24 and 25; equal errors would give 1"});
+              Bound{.limit = 1, .reason = "stated by the paper on its figures 24 and 25; equal errors would give 1"});
     }
   }
   published.at(s.by("muscl").text())
       .from("Stoker, Water Waves (1957), 10.8")
       .check(
-          "cell_l1_h_muscl", "Mean depths of the limited second-order scheme are within a cell of the exact profile.",
+          "cell_l1_h_muscl",
+          "The mean error of cell depths with the limited second-order scheme is below the error of the exact profile "
+          "moved by one cell.",
           "cell L1(h) [m]", [](const Results& r) { return r.error("muscl"); },
           Bound{.limit = 0.9 / static_cast<double>(s.discretisation.particles),
                 .reason = "the exact depth falls from 1 m to 0.1 m: moved by the width of one of N cells it differs by "

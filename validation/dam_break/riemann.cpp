@@ -3,17 +3,17 @@ Two uniform states meet at `jump` at $t = 0$ on a flat bed: the Riemann problem 
 
 $$h_t + (h u)_x = 0, \qquad (h u)_t + \left(h u^2 + g h^2/2\right)_x = 0.$$
 
-Every pair of depths and velocities may be set, a dry side is depth 0. The exact solution consists of a wave to the
-left, a uniform middle and a wave to the right; each wave is a fan or a jump.
+Any pair of depths and velocities may be set; depth 0 is a dry side. The exact solution consists of a left wave, a
+uniform middle state and a right wave; each wave is a rarefaction or a bore.
 
-This is the case for trying a scheme out, ours (`G1`, `M2`, `H2`: the conservative particle method of Bogomolov,
-Zakharov and Zerkal at its three levels; `lax_friedrichs`, `maccormack`, `roe`, `muscl`) or your own (`seiche score
+The case serves to try a scheme, one of the suite (`G1`, `M2`, `H2`: the conservative particle method of Bogomolov,
+Zakharov and Zerkal in its three variants; `lax_friedrichs`, `maccormack`, `roe`, `muscl`) or your own (`seiche score
 riemann`).
 
-**What is compared.** Cell means, the method's own reconstruction, and the front, all with the exact solution at the
-same time. What passes the ends is booked, so that mass and momentum must balance to round-off whatever the resolution.
+**What is compared.** Cell means, the reconstructed profile, and the front, all with the exact solution at the same
+time. Fluxes through the ends are booked, so that mass and momentum balance to round-off at any resolution.
 
-**What to look at.** The bore: in level `H2` it lies inside a single particle. The corners of the fan are where every
+**What to look at.** The bore: in variant `H2` it lies inside a single particle. At the corners of the rarefaction every
 scheme loses its order.
 */
 #include <algorithm>
@@ -146,9 +146,9 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const double stretched = s.discretisation.scheme == "G1" && !s.dry() ? deepest / s.solution.star().depth : 1;
   const double cell = std::max(1.0, stretched) * s.problem.length() / static_cast<double>(s.discretisation.particles);
   claim_states(here.of(&Results::flow), states_of(values), cell, viscosity_of(s));
-  here.only_if(s.discretisation.scheme == "H2" && s.dry(), "only H2 follows a dry front, where there is one")
+  here.only_if(s.discretisation.scheme == "H2" && s.dry(), "only H2 tracks a dry front")
       .check(
-          "dry-front", "The dry front is where the exact one is.", "front position [m]",
+          "dry-front", "The position of the dry front equals the exact solution to round-off.", "front position [m]",
           [](const Results& r) -> Measurement {
             return {.value = r.set_up.judged_position(r.flow.profile()),
                     .told = {.operations = std::pow(static_cast<double>(r.flow.steps()) / 4, 2)}};
@@ -156,8 +156,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
           Roundoff{.operations = Amount::told_by_run(std::pow(most_steps(s.problem, s.discretisation, s.time) / 4, 2)),
                    .scale = std::abs(s.judged.front.position) + s.problem.length(),
                    .reason = "two roundings per step, of the increment and of the position, each by at most half an "
-                             "eps; the increment is the same in every step, so that they repeat and add up linearly: "
-                             "eps per step, which the criterion's factor 4 makes of steps/4",
+                             "eps; the increment is the same in every step, so that roundings repeat and add up "
+                             "linearly: eps per step, which the criterion's factor 4 makes of steps/4",
                    .expected = s.judged.front.position});
 }
 

@@ -62,7 +62,7 @@ std::string text_of(const Counting& count, const ColumnFront& data, double farth
   std::string text = fmt::format("{} of {} published points count", count.used.size(), data.T.size());
   if (count.beyond > 0) text += fmt::format(", {} lie beyond X/a = {:.3g}", count.beyond, farthest);
   if (count.later > 0) {
-    text += fmt::format(", {} later than the front is known with every shift, T = {:.3g}", count.later,
+    text += fmt::format(", {} are later than the front is known for every shift, T = {:.3g}", count.later,
                         computed.x.back() + ShiftRange{}.lowest);
   }
   if (count.before > 0) text += fmt::format(", {} lie before it is known: begin at T = 0", count.before);
@@ -81,10 +81,9 @@ double largest_retreat(const std::vector<double>& X) {
 
 void draw(const ColumnFront& data, const SubmittedGroup& front, const FrontFit& fit, evidence::Record& record) {
   const std::vector<double>& X = front.values.at("X");
-  auto& panel =
-      add_panel(record, "shifted", "Position of the front",
-                "As it stands, and with the shift of the time origin and the rate of its clock that suit it best.",
-                {.x = data.tall ? "t sqrt(2g/a)" : "t sqrt(g/a)", .y = "X/a"});
+  auto& panel = add_panel(record, "shifted", "Position of the front",
+                          "Without a shift, and with the best fit of time shift and rate.",
+                          {.x = data.tall ? "t sqrt(2g/a)" : "t sqrt(g/a)", .y = "X/a"});
   const std::vector<double> fitted = each(front.abscissa, [&](double T) { return T / fit.rate + fit.shift; });
   panel.line("as it stands", front.abscissa, X, evidence::Role::computed);
   panel.line(fmt::format("{:.2f} later, {:.3g} times as fast", fit.shift, fit.rate), fitted, X, evidence::Role::peer);
@@ -194,15 +193,14 @@ void judge_front(const ColumnFront& data, double farthest, double cell, const Su
 
   using evidence::Bound;
   const auto times = [&](double factor) { return stated ? std::optional(factor * *fit.rate_numerical) : std::nullopt; };
-  record.check({"rate", "The speed of the front agrees with the published one.",
-                "rate at which its clock would have to run", "1", data.citation},
-               {.value = fit.rate, .uncertainty = times(2), .resolution = counted},
-               evidence::Uncertainty{.expected = 1,
-                                     .data = fit.rate_uncertainty,
-                                     .useful = 0.045,
-                                     .reason = "standard uncertainties of the points in T and X/a, through the fit of "
-                                               "shift and rate; a gravity a tenth too small makes 0.054, a front a "
-                                               "twentieth too fast 0.048"});
+  record.check(
+      {"rate", "The speed of the front agrees with the published one.", "fitted rate of its time", "1", data.citation},
+      {.value = fit.rate, .uncertainty = times(2), .resolution = counted},
+      evidence::Uncertainty{.expected = 1,
+                            .data = fit.rate_uncertainty,
+                            .useful = 0.045,
+                            .reason = "standard uncertainties of the points in T and X/a, through the fit of shift and "
+                                      "rate; gravity 10 % too small gives 0.054, a front 5 % too fast 0.048"});
   record.check(
       {"shift",
        data.measured
@@ -210,25 +208,27 @@ void judge_front(const ColumnFront& data, double farthest, double cell, const Su
            : "The time origins of both computations differ by at most 0.1 in T.",
        "shift of the time origin, in the unit of T", "1", data.citation},
       {.value = fit.shift, .resolution = counted},
-      data.measured ? Bound{.limit = 0.2,
-                            .reason = "0 to 0.3, known to 0.05 by the points: the diaphragm takes 0.1 to 0.3 to melt "
-                                      "by the source, and nothing where it was computed with the release. It is not "
-                                      "free: the rate is scored beside it",
-                            .expected = 0.15}
-                    : Bound{.limit = 0.1, .reason = "both columns are free at once"});
+      data.measured
+          ? Bound{.limit = 0.2,
+                  .reason =
+                      "0 to 0.3, uncertain by 0.05 of the points: the melting time of the diaphragm is 0.1 to 0.3 in "
+                      "the source, zero in a computed release. The shift is not free: the rate is scored beside it",
+                  .expected = 0.15}
+          : Bound{.limit = 0.1, .reason = "both columns are released instantaneously"});
   const auto n = static_cast<double>(fit.points);
-  record.check({"rms", "With one shift the front goes through the published points.", "rms difference of X/a", "1",
-                data.citation},
+  record.check({"rms", "The front position after one time shift agrees with the published points.",
+                "rms difference of X/a", "1", data.citation},
                {.value = fit.rms, .resolution = counted},
                Bound{.limit = fit.expected * (1 + 2 / std::sqrt(2 * n)),
                      .reason = "root mean square of sqrt(u_X^2 + (X' u_T)^2) over the points, and two standard "
                                "deviations of such a mean of n, a part 1/sqrt(2n) of it each"});
-  record.check({"advance", "The position of the front never falls back by more than one cell.",
-                "largest retreat of X/a", "1", "water on a dry floor runs on until it meets a wall"},
-               {.value = largest_retreat(X), .resolution = fmt::format("cells of {:.3g} a", cell)},
-               Bound{.limit = evidence::Amount::at_most(cell, 0.1),
-                     .reason = "a front is known to one cell or particle; cells of more than a tenth of the column say "
-                               "nothing"});
+  record.check(
+      {"advance", "The position of the front never falls back by more than one cell.", "largest retreat of X/a", "1",
+       "water on a dry floor advances until it reaches a wall"},
+      {.value = largest_retreat(X), .resolution = fmt::format("cells of {:.3g} a", cell)},
+      Bound{.limit = evidence::Amount::at_most(cell, 0.1),
+            .reason =
+                "a front is known to one cell or particle; cells of more than a tenth of the column are inconclusive"});
   draw(data, front, fit, record);
 }
 

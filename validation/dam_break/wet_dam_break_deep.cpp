@@ -1,13 +1,11 @@
 /*
-As the dam break over shallow water, with $h_0 = 0.5\,h_1$: above the critical ratio 0.13827, so that the whole flow at
-the dam is subcritical and the plateau reaches across it. Bogomolov, Zakharov and Zerkal show steps 0, 40, 80 and 120
-with
+As the dam break over shallow water, with $h_0 = 0.5\,h_1$: above the critical ratio 0.13827, so that the flow at the
+dam is subcritical and the plateau extends across it. Bogomolov, Zakharov and Zerkal show steps 0, 40, 80 and 120 with
 $\tau = 0.05$ s (their figure 23).
 
-**What is compared.** Mean depths, the bore's position and width, with the comparison schemes on cells of the same
-width.
+**What is compared.** Mean depths, bore position and width, with the comparison schemes on cells of the same width.
 
-**What to look at.** The bore in one particle, and the plateau: flat, with no oscillation on either side.
+**What to look at.** The bore in one particle, and the plateau, without oscillations on either side.
 */
 #include "validation/case/literature.hpp"
 #include "validation/dam_break/wet_dam_break.hpp"

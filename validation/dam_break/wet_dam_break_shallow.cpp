@@ -1,19 +1,17 @@
 /*
-A dam at $x = 20$ m separates still water of depths $h_1 = 1$ m and $h_0 = 0.1\,h_1$. After it vanishes a fan runs
-upstream, a bore downstream, with a plateau of depth $h_*$ between them. For depth ratios below 0.13827 the flow at the
-dam is critical and does not feel the water downstream: this is such a case.
+A dam at $x = 20$ m separates still water of depths $h_1 = 1$ m and $h_0 = 0.1\,h_1$. After its removal a rarefaction
+runs upstream and a bore downstream, with a plateau of depth $h_*$ between them. For depth ratios below 0.13827, as
+here, the flow at the dam is critical and independent of the downstream depth.
 
 Bogomolov, Zakharov and Zerkal show steps 0, 40, 80 and 120 with $\tau = 0.05$ s (their figure 22; its caption prints
-"0.3" for 0). The number of particles, the channel and $h_1$ are not stated; $\Delta x = 1$ m on $[0, 50]$ m and 1 m are
-taken here.
+"0.3" for 0). They do not state the number of particles, the channel and $h_1$; $\Delta x = 1$ m on $[0, 50]$ m and 1 m
+are taken here.
 
-**What is compared.** Mean depths, the bore's position and width, with the comparison schemes on cells of the same
-width.
+**What is compared.** Mean depths, bore position and width, with the comparison schemes on cells of the same width.
 
-**What to look at.** The bore stays in one particle. What error remains sits at the corners of the fan, where the
-particles have expanded to two and a half times their first width, and in the position of the bore, which the start
-leaves a quarter of a cell behind. The rearrangement as written has a plateau 5 % too
-low.
+**What to look at.** The bore stays in one particle. The remaining error lies at the corners of the rarefaction, where
+particles have expanded to 2.5 times their initial width, and in the bore position, which lags by a quarter of a cell
+from the start. The rearrangement as written has a plateau 5 % too low.
 */
 #include "validation/case/literature.hpp"
 #include "validation/dam_break/wet_dam_break.hpp"

@@ -1,27 +1,28 @@
 /*
-Small waves on level water, carried by the markers of the discrete dispersive shallow-water model at spacing $s$, have a
-frequency in closed form. With depth and gravity 1, $t = \tan(ks/2)$,
+Small waves in the discrete dispersive shallow-water model with node spacing $s$ have a closed-form frequency. With
+depth and gravity 1, $t = \tan(ks/2)$,
 
 $$\omega^2 = \frac{2 + \cos ks}{3}\,\frac{4t^2}{s^2 + 4\alpha t^2}, \qquad \alpha = \tfrac13,$$
 
-Frank's formula (13). As $s \to 0$ it is the law of Serre, Green and Naghdi. The factor $(2 + \cos ks)/3$ comes from the
-polygon's potential energy; it cancels the error of order $s^2$ of long waves. Other energies of a cell's slope (`beta`)
-and an added energy of slopes (`gamma`) have similar laws. The time step $\tau$ turns $\omega$ into $\Omega$:
+Frank's formula (13). As $s \to 0$ it becomes the dispersion relation of Serre, Green and Naghdi. The factor $(2 + \cos
+ks)/3$ comes from the polygon's potential energy; it cancels the error of order $s^2$ of long waves. Other energies of a
+cell's slope (`beta`) and an additional energy of slopes (`gamma`) have similar relations. The time step $\tau$ turns
+$\omega$ into $\Omega$:
 
 $$\sin\frac{\Omega\tau}{2} = \frac{\omega\tau}{2}\ \text{(one-step scheme)}, \qquad
 \tan\frac{\Omega\tau}{2} = \frac{\omega\tau}{2}\ \text{(conservative scheme)}.$$
 
-**Set-up.** A standing wave between two walls, half a wavelength apart. It starts from the flat surface with the
-velocities of the mode. Its amplitude is $10^{-5}$ depths, then twice that.
+**Set-up.** A standing wave between two walls, half a wavelength apart, starts from the flat surface with the velocities
+of the mode. Amplitudes are $10^{-5}$ and $2\cdot10^{-5}$ of the depth.
 
-**What is compared.** The elevations are projected on the mode. A sinusoid fitted to the series gives the frequency; the
-two amplitudes give its limit for small waves. It must be the formula's, digit for digit. The wave of the parameters
-comes first, then all points of the figure.
+**What is compared.** Elevations are projected on the mode. A sinusoid fitted to the series gives the frequency; the two
+amplitudes give the limit of small waves, which must equal the formula digit for digit. The wave of the parameters comes
+first, then all points of the figure.
 
-**What to look at.** The figure shows what the model is worth. At $kH = 1$, a wave of six depths, it is one to two per
-cent slower than Airy's; at $kH = 2$ it is 7 to 20 per cent slower, depending on the spacing. With $\alpha$ and $\gamma$
-tuned to spacing and step the error at $kH = 2$ is 0.4 per cent. The deviations of the measured frequencies from the law
-are roundings: the program solves what the formula describes.
+**What to look at.** The figure shows the accuracy of the model. At $kH = 1$, $L/H$ about 6, the celerity is 1 to 2 %
+below Airy's; at $kH = 2$ it is 7 to 20 % below, depending on the spacing. With $\alpha$ and $\gamma$ tuned to spacing
+and step the error at $kH = 2$ is 0.4 %. Deviations of the measured frequencies from the relation are round-off: the
+program solves the equations that the formula describes.
 */
 #include <algorithm>
 #include <cmath>
@@ -135,13 +136,15 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const std::vector<StandingBox> figure = boxes_of_figure();
   claims.of(&Results::own)
       .at(fmt::format("{} cells, tau = {:g}", own.cells, own.tau))
-      .check("frequency", "The wave of the parameters has the frequency of the discrete model's law.",
+      .check("frequency",
+             "The frequency of the wave of the parameters equals the exact discrete dispersion relation to round-off.",
              "relative deviation of the frequency", worst_of,
              frequency_roundoff(std::vector{own}, periods, &StandingBox::cells));
   claims.of(&Results::figure)
       .at("40 cells, 1 to 37 half-waves, tau = s/2")
       .check("figure",
-             "All waves of the figure, up to the shortest that the markers resolve, have the law's frequency.",
+             "The frequencies of all waves of the figure, up to the shortest resolved one, equal the exact dispersion "
+             "relation to round-off.",
              "largest relative deviation of the frequency", worst_of,
              frequency_roundoff(figure, periods, &StandingBox::cells));
 }
@@ -158,9 +161,9 @@ Results compute(const Run& run) {
 void draw(evidence::Exhibit& exhibit, const std::vector<Found>& found) {
   auto& figure =
       exhibit.figure("dispersion", "Phase speed of the discrete model",
-                     "Lines: the laws, the discrete ones for the one-step scheme with tau = s/2, up to the shortest "
-                     "wave that the markers resolve; the tuned pair is for s = 0.25. Circles: measured. The error of "
-                     "long waves comes from the time step, $k^2\\tau^2/24$; of the others from the model.",
+                     "Lines: dispersion relations, discrete ones for the one-step scheme with tau = s/2, up to the "
+                     "shortest resolved wave; the tuned pair is for s = 0.25. Circles: measured. The error of long "
+                     "waves comes from the time step, $k^2\\tau^2/24$; the other errors from the model.",
                      {"frank-formula-13"});
   auto& speed =
       figure.panel({.x = "k H", .y = "phase speed/sqrt(g H)", .title = "Phase speed", .y_min = 0, .y_max = 1.05});
@@ -214,16 +217,16 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 }  // namespace
 
 void dispersion_1d(Case& c) {
-  c.title = "Small standing waves have the frequency of the discrete dispersion law";
+  c.title = "Frequency of small standing waves: discrete dispersion relation";
   c.source = literature::frank + ", chapter 3, formula (13)";
   c.parameters = {
-      real("wavenumber", 1.0, "1/H", {1e-2, 100}, "of the wave; the walls are half a wavelength apart"),
-      real("h", pi / 31, "H", {1e-3, 10}, "of the markers; changed to fit a whole number of times between the walls"),
+      real("wavenumber", 1.0, "1/H", {1e-2, 100}, "wavelength; the walls are half a wavelength apart"),
+      real("h", pi / 31, "H", {1e-3, 10}, "node spacing; adjusted to fit a whole number of times between the walls"),
       real("tau", 0.2, "sqrt(H/g)", {1e-4, 2}, "time step"),
       choice("scheme", "one_step", {"one_step", "one_step_feedback", "conservative"}, "time stepping"),
       real("alpha", 1.0 / 3, "1", {1e-3, 10}, "factor of the vertical kinetic energy"),
       real("beta", 1.0 / 3, "1", {1e-3, 10}, "factor of a cell's slope in its potential energy; 1/3 is the polygon's"),
-      real("gamma", 0.0, "1", {0, 10}, "factor of the added energy of slopes"),
+      real("gamma", 0.0, "1", {0, 10}, "factor of the additional energy of slopes"),
       real("periods", 20.0, "1", {2, 1000}, "length of the series"),
   };
   c.published = {{.tiles = {"frank-formula-13"}, .stated = {"alpha", "beta", "gamma", "scheme"}}};

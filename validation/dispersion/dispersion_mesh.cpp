@@ -1,27 +1,27 @@
 /*
-Small waves on the two-dimensional Lagrangian mesh have a frequency in closed form (Frank 1994, section 2.1). The mesh
-has $n$ rows of height $h_2 = H/n$ and columns of width $h_1$. With depth and gravity 1, $T = (h_2/h_1)\tan(kh_1/2)$ and
+Small waves on the two-dimensional Lagrangian mesh have a closed-form frequency (Frank 1994, section 2.1). The mesh has
+$n$ rows of height $h_2 = H/n$ and columns of width $h_1$. With depth and gravity 1, $T = (h_2/h_1)\tan(kh_1/2)$ and
 $t_n = \tanh(2n\,\mathrm{artanh}\,T)$,
 
 $$\omega^2 = \frac{2}{h_2}\,\frac{2 + \cos kh_1}{3}\,\frac{T(1 - T^2)\,t_n}{1 - T^3 t_n}.$$
 
-Fine meshes have Airy's law. Long waves have $\omega^2 = k^2\,(1 - (\tfrac13 + \tfrac16 h_2^2)\,k^2 + \dots)$: their
-error comes from the rows alone. The time step $\tau$ turns $\omega$ into $\Omega$, $\sin(\Omega\tau/2) = \omega\tau/2$
-for the one-step scheme, $\tan(\Omega\tau/2) = \omega\tau/2$ for the conservative scheme.
+Fine meshes tend to Airy's relation. Long waves have $\omega^2 = k^2\,(1 - (\tfrac13 + \tfrac16 h_2^2)\,k^2 + \dots)$:
+their error depends on the row height alone. The time step $\tau$ turns $\omega$ into $\Omega$, $\sin(\Omega\tau/2) =
+\omega\tau/2$ for the one-step scheme, $\tan(\Omega\tau/2) = \omega\tau/2$ for the conservative scheme.
 
-**Set-up.** A tank of one or more half-waves between walls. `h1` is changed until a whole number of columns fits, `h2`
-until a whole number of rows. The water is flat and gets an impulse on its surface in the shape of the wave. Amplitudes
-are $10^{-6}$ depths and twice that.
+**Set-up.** A tank of one or more half-waves between walls. `h1` is adjusted to a whole number of columns, `h2` to a
+whole number of rows. The flat surface receives an impulse in the shape of the wave. Amplitudes are $10^{-6}$ and
+$2\cdot10^{-6}$ of the depth.
 
-**What is compared.** The elevations are projected on the wave; a sinusoid fitted to the series gives the frequency, and
-the two amplitudes its limit for small waves. It must be the formula's, digit for digit: for the wave of the parameters,
-and for all points of the figure. Then two remarks of Frank: that waves of seven depths and more are well described by
-$h_1 = H$, $h_2 = H/2$; and that at special parameters the mesh has nearly the law of Boussinesq's equations, $\omega^2
-= k^2/(1 + k^2/3)$, for waves of 3.5 depths and more.
+**What is compared.** Elevations are projected on the wave; a sinusoid fitted to the series gives the frequency, and the
+two amplitudes its limit for small waves, which must equal the formula digit for digit: for the wave of the parameters,
+and for all points of the figure. Then two statements of Frank: waves of $L/H \ge 7$ are well described with $h_1 = H$,
+$h_2 = H/2$; and with special parameters the mesh has nearly the relation of Boussinesq's equations, $\omega^2 = k^2/(1
++ k^2/3)$, for waves of $L/H \ge 3.5$.
 
-**What to look at.** The coarse mesh is 2.9 per cent slow at seven depths, 0.23 per cent at twenty. The last panel shows
-the meshes that imitate Boussinesq: with four rows and $h_1 = 0.46$ the difference is 0.2 per cent. One or two rows are
-too few for that. Deviations of the measured frequencies from the law are roundings.
+**What to look at.** The celerity on the coarse mesh is 2.9 % low at $L/H = 7$, 0.23 % at 20. The last panel shows
+meshes that imitate Boussinesq's equations: with four rows and $h_1 = 0.46$ the difference is 0.2 %. One or two rows are
+too few. Deviations of the measured frequencies from the relation are round-off.
 */
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
@@ -186,13 +186,16 @@ void claim_waves(const Values& values, const Claims<Results>& claims) {
   const MeshTank own = own_tank(values);
   claims.at(fmt::format("{} x {} cells, tau = {:g}", own.columns, own.rows, own.tau))
       .check(
-          "frequency", "The wave of the parameters has the frequency of the mesh's law.",
+          "frequency",
+          "The frequency of the wave of the parameters equals the exact dispersion relation of the mesh to round-off.",
           "relative deviation of the frequency", [own](const Results& r) { return deviation(own, r.own); },
           frequency_roundoff(std::vector{own}, periods, &MeshTank::columns));
   const std::vector<MeshTank> tanks = tanks_of_figure();
   claims.at("20 columns, 2, 4 and 8 rows, tau = 0.05")
       .check(
-          "figure", "All waves of the figure, up to the shortest that the meshes resolve, have the law's frequency.",
+          "figure",
+          "The frequencies of all waves of the figure, up to the shortest that the meshes resolve, equal the exact "
+          "dispersion relation to round-off.",
           "largest relative deviation of the frequency",
           [tanks](const Results& r) { return worst_deviation(tanks, r.figure); },
           frequency_roundoff(tanks, periods, &MeshTank::columns));
@@ -205,13 +208,13 @@ void claims(const Values& values, const Claims<Results>& claims) {
   Roundoff of_the_law = frequency_roundoff(tanks, values.real("periods"), &MeshTank::columns);
   of_the_law.expected = std::abs(seven.law().frequency(seven.wavenumber) / airy.frequency(seven.wavenumber) - 1);
   of_the_law.reason =
-      "longer waves are better: it is the law's error at seven depths, 2.94 per cent; Frank gives no number. Measured "
-      "as exactly as frequencies are: " +
+      "the error of the dispersion relation at L/H = 7, 2.94 %, which falls for longer waves; Frank gives no number. "
+      "Measured to the accuracy of the frequencies:  " +
       of_the_law.reason;
   claims.at("h1 = H, h2 = H/2")
       .from(frank)
       .check(
-          "seven-depths", "Waves of seven depths and more are right to three per cent on the coarse mesh.",
+          "seven-depths", "The frequency error of waves of L/H >= 7 on the coarse mesh is below 3 %.",
           "largest relative error of the frequency against Airy",
           [tanks](const Results& r) {
             return over<Worst>(indices(tanks.size()),
@@ -221,7 +224,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
   claims.at("4 to 32 rows, h1 = H/200")
       .from(frank)
       .check(
-          "rows", "The phase speed goes over into Airy's with the square of the rows' height.",
+          "rows", "The phase speed converges to Airy's at second order in the row height.",
           "order of the error at kH = 1",
           [](const Results&) {
             std::vector<double> heights, errors;
@@ -239,9 +242,9 @@ void claims(const Values& values, const Claims<Results>& claims) {
       .from(frank)
       .check(
           "boussinesq",
-          "With three rows or more there is a width of columns for which the mesh has nearly the law of Boussinesq's "
-          "equations.",
-          "largest relative difference of the frequency, wavelengths of 3.5 depths and more",
+          "The frequency with three rows or more and a suitable column width agrees with Boussinesq's equations within "
+          "0.5 % for L/H >= 3.5.",
+          "largest relative difference of the frequency, L/H >= 3.5",
           [](const Results& r) {
             Worst distance;
             for (const Nearest& n : r.nearest) {
@@ -250,11 +253,13 @@ void claims(const Values& values, const Claims<Results>& claims) {
             return distance;
           },
           Bound{.limit = 0.005,
-                .reason = "half a per cent, not seen in a plot of the law; water differs from Boussinesq's equations "
-                          "by ten times as much at 3.5 depths"});
+                .reason = "0.5 %, invisible in a plot of the relation; water differs from Boussinesq's equations by "
+                          "ten times as much at L/H = 3.5"});
   claims.check(
-      "boussinesq-few-rows", "With one or two rows there is none.",
-      "no width of columns brings the difference below half a per cent",
+      "boussinesq-few-rows",
+      "The frequency with one or two rows differs from Boussinesq's equations by more than 0.5 % at every column "
+      "width.",
+      "no column width brings the difference below 0.5 %",
       [](const Results& r) {
         Count near;
         for (const Nearest& n : r.nearest) {
@@ -262,8 +267,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
         }
         return 1 - near.value();
       },
-      Qualitative{.detector = "smallest difference over widths of 0.02 to 1.7 depths",
-                  .reason = "their k^4 term is 1/3 + h2^2/6, beyond what the width can repair"});
+      Qualitative{.detector = "smallest difference over widths of 0.02 to 1.7 H",
+                  .reason = "their k^4 term, 1/3 + h2^2/6, cannot be compensated by the width"});
 }
 
 Results compute(const Run& run) {
@@ -282,10 +287,10 @@ Results compute(const Run& run) {
 }
 
 void tabulate(const Results& r, evidence::Exhibit& exhibit) {
-  evidence::Table& coarse =
-      add_table(exhibit, "long-waves", "Long waves on the coarse mesh, h1 = H, h2 = H/2",
-                "Measured in a tank of one wavelength with tau = 0.05, the time step's effect taken out by the law.",
-                {"wavelength/H", "frequency", "error against Airy [%]"});
+  evidence::Table& coarse = add_table(
+      exhibit, "long-waves", "Long waves on the coarse mesh, h1 = H, h2 = H/2",
+      "Measured in a tank of one wavelength with tau = 0.05; the effect of the time step is removed by its relation.",
+      {"wavelength/H", "frequency", "error against Airy [%]"});
   const std::vector<MeshTank> tanks = long_tanks();
   for (std::size_t i = 0; i < tanks.size(); ++i) {
     const double error = error_of(tanks[i], r.long_waves[i]);
@@ -295,18 +300,17 @@ void tabulate(const Results& r, evidence::Exhibit& exhibit) {
   }
 
   evidence::Table& nearest =
-      add_table(exhibit, "boussinesq", "Meshes that come nearest to Boussinesq's equations",
-                "Width of the columns for which the largest relative difference of the frequency from "
-                "$k/\\sqrt{1 + k^2/3}$, over wavelengths of 3.5 depths and more, is smallest. With one "
-                "or two rows the narrowest columns tried, 0.001 depths, are the best.",
+      add_table(exhibit, "boussinesq", "Meshes nearest to Boussinesq's equations",
+                "Column width with the smallest maximum difference of the frequency from $k/\\sqrt{1 + k^2/3}$ over "
+                "L/H >= 3.5. With one or two rows the narrowest columns tried, 0.001 H, are the best.",
                 {"rows", "h1/H", "difference [%]"});
   for (const Nearest& n : r.nearest) nearest.rows.push_back({static_cast<double>(n.rows), n.width, 100 * n.distance});
 }
 
 void draw(const std::vector<double>& measured, evidence::Exhibit& exhibit) {
   auto& figure = exhibit.figure("dispersion", "Phase speed of waves on the Lagrangian mesh",
-                                "Lines: the laws, up to the shortest wave of each mesh. Circles: measured with tau = "
-                                "0.05, the time step's effect taken out by its law.",
+                                "Lines: dispersion relations, up to the shortest wave of each mesh. Circles: measured "
+                                "with tau = 0.05; the effect of the time step is removed by its relation.",
                                 {"frank-dispersion-2d"});
   auto& speed =
       figure.panel({.x = "k H", .y = "phase speed/sqrt(g H)", .title = "Phase speed", .y_min = 0, .y_max = 1.05});
@@ -363,7 +367,7 @@ void draw(const std::vector<double>& measured, evidence::Exhibit& exhibit) {
 void draw_rows(evidence::Exhibit& exhibit) {
   auto& panel =
       add_panel(exhibit, "rows", "From shallow water to the Euler equations by the number of rows",
-                "Phase speed by the laws, columns of H/200. Shallow water: 1 at every wavenumber.",
+                "Phase speed by the dispersion relations, columns of H/200. Shallow water: 1 at every wavenumber.",
                 {.x = "k H", .y = "phase speed/sqrt(g H)", .y_min = 0, .y_max = 1.05}, {"frank-dispersion-2d"});
   const std::vector<double> k = evenly(0.02, deepest, 200);
   const auto line = [&](const std::string& label, const auto& law, Role role) {
@@ -390,16 +394,16 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
 void dispersion_mesh(Case& c) {
   c.former_names = {"dispersion_2d"};
-  c.title = "Small waves on the Lagrangian mesh have the frequency of its exact dispersion law";
+  c.title = "Frequency of small waves on the Lagrangian mesh: exact dispersion relation";
   c.source = literature::frank + ", section 2.1";
   c.tiers = {Tier::quick};
   c.parameters = {
-      real("wavenumber", pi / 6, "1/H", {1e-2, 100}, "of the wave; the walls are half a wavelength apart"),
-      real("h1", 0.375, "H", {1e-3, 10}, "width of columns; changed to fit a whole number of times between the walls"),
-      real("h2", 0.25, "H", {1e-2, 1}, "height of rows; changed to fit a whole number of times in the depth"),
+      real("wavenumber", pi / 6, "1/H", {1e-2, 100}, "wavelength; the walls are half a wavelength apart"),
+      real("h1", 0.375, "H", {1e-3, 10}, "column width; adjusted to fit a whole number of times between the walls"),
+      real("h2", 0.25, "H", {1e-2, 1}, "row height; adjusted to fit a whole number of times in the depth"),
       real("tau", 0.1, "sqrt(H/g)", {1e-4, 2}, "time step"),
       choice("scheme", "one_step", {"one_step", "one_step_feedback", "conservative"}, "time stepping"),
-      toggle("tuned_surface_inertia", false, "vertical inertia of surface nodes reduced by h2/(3H) of itself"),
+      toggle("tuned_surface_inertia", false, "relative reduction h2/(3H) of the vertical inertia of surface nodes"),
       real("periods", {20.0, 30.0, 60.0}, "1", {2, 1000}, "length of the series"),
   };
   c.published = {{.tiles = {"frank-dispersion-2d"}, .stated = {"scheme"}}};

@@ -30,8 +30,8 @@ evidence::Roundoff frequency_roundoff(const std::vector<Tank>& tanks, double per
   return {.operations = 1,
           .scale = scale.value(),
           .reason =
-              "a hundred roundings of fit, extrapolation and law; positions of the tank's length L drift by eps L/6 at "
-              "random every step, and the frequency by k/2 of that, averaged over columns"};
+              "a hundred roundings of fit, extrapolation and relation; positions, of the size of the tank's length L, "
+              "drift by eps L/6 at random in every step, and the frequency by k/2 of that, averaged over columns"};
 }
 
 }  // namespace seiche::validation

@@ -1,29 +1,30 @@
 /*
-Which model should one take? A round drop without gravity is stretched and drifts, by six models: free particles under
-Gauss's principle, the Lagrangian mesh, Dirichlet cells, particles of variable mass, overlapping particles, and weakly
-compressible SPH. Dirichlet's ellipse tells how far off each is.
+Which model suits a stretching drop? A round drop without gravity is stretched and drifts, computed with six models:
+Gauss-principle particles, the Lagrangian mesh, Dirichlet cells, variable-mass particles, overlapping particles, and
+weakly compressible SPH. The reference is Dirichlet's ellipse.
 
-**Set-up.** Radius, density and strain rate are 1: $u = 0.3 + x$, $v = 0.2 - y$ at the beginning. The drift changes
-nothing of the motion, but the drop has a momentum to be kept, and leaves the lattice that free particles begin on. Each
-model has its usual arrangement: rings of free particles with markers on the rim, a square mesh made round, rings of
-Dirichlet cells, staggered rows, a square lattice for SPH. Cells have a hundredth of stabilisation; nodes inside of
-variable mass go to the middle of their cells, nodes of the outline are particles. Steps are a fifth of the spacing,
-SPH takes its own. Each is refined in space and time together.
+**Set-up.** Radius, density and strain rate are 1: initially $u = 0.3 + x$, $v = 0.2 - y$. The drift does not change the
+relative motion, but gives the drop a momentum to conserve and moves it off the initial grid of the Gauss-principle
+particles. Each model has its usual arrangement: rings of Gauss-principle particles with markers on the rim, a square
+mesh made round, rings of Dirichlet cells, staggered rows, a square arrangement for SPH. The pressure stabilisation of
+cells is 0.01; inner nodes of the variable-mass model move to the centres of their cells, outline nodes move with the
+water. Steps are a fifth of the spacing, except SPH, which chooses its own. Each model is refined in space and time
+together.
 
-**What is compared.** Places of the rim (markers, nodes of the outline, particles that began within a spacing of it)
-with the exact ones at t = 1, when the drop is five times as long as wide; the processor time until then; what energy
-and momentum changed by. Then each goes on to t = 3, unless it breaks down or its rim is off by the thin half of the
-drop at that time.
+**What is compared.** Positions on the rim (markers, outline nodes, particles initially within a spacing of it) with the
+exact positions at t = 1, when the drop is five times as long as wide; the processor time until then; the change of energy and
+momentum. Each model then continues to t = 3, unless it breaks down or its rim error exceeds the minor semi-axis.
 
-**What to look at.** The fields are linear, and the space of the free particles holds them: they are nearer than all
-others by a factor of a hundred, and last. The mesh errs to first order along its outline, but takes least time and
-lasts. Cells come nearer than the mesh where they last; they end when a node of the outline reaches another, or when a
-cell inside has given all its water away, and finer ones do not last longer. Overlapping particles are off by a
-spacing, or nearly so, at a hundred times the cost of the mesh. SPH lasts, at ten times the cost of the free particles
-and with a hundred times their error. All keep the momentum; cells and SPH change the energy, the others do not.
+**What to look at.** The exact velocities are linear, and the space of the Gauss-principle particles contains them:
+their error is smaller by a factor of a hundred than all others, and they complete. The mesh error is first-order along
+the outline; the mesh takes the least time and completes. Dirichlet and variable-mass cells are more accurate than the
+mesh while they last; they end when two outline nodes meet or an inner cell has lost all its water, and refinement does
+not extend their life. The error of overlapping particles is nearly a spacing, at a hundred times the cost of the mesh.
+SPH completes, at ten times the cost of the Gauss-principle particles and with a hundred times their error. All models
+conserve momentum; cells and SPH change the energy, the others conserve it.
 
-**When it is no test.** Linear fields flatter the free particles, and no model has walls or gravity here. The discrete
-dispersive shallow water has no drop: its water stands on a bottom.
+**Limits of this test.** Linear fields favour the Gauss-principle particles, and the test has neither walls nor gravity.
+Dispersive shallow water cannot represent a drop, because its water columns stand on a bed.
 */
 #include <algorithm>
 #include <array>
@@ -320,7 +321,7 @@ Trial trial_of(const Values& values) {
           .last = last,
           .looks = 12,
           .useless = the_drop().other_axis(last),
-          .useless_in_words = "the surface is off by the thin half of the drop",
+          .useless_in_words = "the surface error exceeds the minor semi-axis",
           .energy_scale = std::numbers::pi / 4,
           .momentum_scale = std::numbers::pi * std::numbers::sqrt2 / 2};
 }
@@ -339,8 +340,8 @@ void claim_kept(const Claims<Contest>& all, const Values& values) {
   const double drift = 2 * (drop_drift.x * drop_drift.x + drop_drift.y * drop_drift.y);
   for (const Named& model : {names[0], names[1], names[4]}) {
     claim_energy(claims_of(all, model.id), model, 40 * steps_of(values, model.id), 1 + drift,
-                 "in every step the reactions of a particle's or a node's neighbours, forty at most, are rounded; "
-                 "scale: the kinetic energy with the drift, over the energy of the stretching",
+                 "in every step the reactions of a particle's or node's neighbours, forty at most, are rounded; scale: "
+                 "the kinetic energy with the drift, over the energy of the stretching",
                  "Frank (1994), chapters 1 and 6");
   }
   for (const Named& model : names) {
@@ -360,67 +361,65 @@ void claim_kept(const Claims<Contest>& all, const Values& values) {
   claims_of(all, "sph")
       .from("Monaghan (1994)")
       .check("sph-energy",
-             "The energy of SPH with its energy of compression changes by less than the compression at the start, 1/(6 "
-             "c^2).",
+             "The energy change of SPH, compression included, is below the initial energy of compression, 1/(6 c^2).",
              "change over the energy of the stretching", energy_of_finest,
              Bound{.limit = 1.0 / (6 * 14 * 14),
-                   .reason = "the energy of the compression at the beginning, 1/(6 c^2): what steps change must be "
-                             "less than what they resolve"});
+                   .reason = "the initial energy of compression, 1/(6 c^2): the time-step error must be below what the "
+                             "steps resolve"});
 }
 
 void claim_accuracy(const Claims<Contest>& all, const Values& values) {
   claims_of(all, "particles")
-      .check(
-          "particles-rim", "The drop outline of the free particles agrees with the exact ellipse.",
-          "rms distance from the exact places [radius]", error_of_finest,
-          Bound{.limit = 0.01 / values.number("rings"),
-                .reason =
-                    "a hundredth of the spacing of the rings, below which particles do not tell where a surface is"});
+      .check("particles-rim", "The outline error of Gauss-principle particles is below 1 % of the ring spacing.",
+             "rms distance from the exact positions [radius]", error_of_finest,
+             Bound{.limit = 0.01 / values.number("rings"),
+                   .reason = "1 % of the ring spacing, below which particles do not define a surface position"});
   claims_of(all, "mesh")
-      .check(
-          "mesh-order", "The outline of the mesh converges with the first order.",
-          "order of the rms distance from the exact places", &Entry::order,
-          Order{.theory = 1,
-                .tolerance = 0.25,
-                .reason = "nodes of the outline slip along it to first order; the meshes begin with cells of a quarter "
-                          "of the radius, where terms of other orders are as much of the error"});
+      .check("mesh-order", "The outline error of the Lagrangian mesh converges at first order.",
+             "order of the rms distance from the exact positions", &Entry::order,
+             Order{.theory = 1,
+                   .tolerance = 0.25,
+                   .reason = "outline nodes slip along it at first order; the coarsest mesh has cells of a quarter of "
+                             "the radius, where terms of other orders are as large"});
   for (const Named& model : {names[2], names[3], names[5]}) {
     claims_of(all, model.id)
         .check(
-            model.id + "-rim", fmt::format("The rim of {} is off by less than a spacing.", model.name),
-            "rms distance from the exact places over the spacing",
+            model.id + "-rim", fmt::format("The outline error of {} is below one spacing.", model.name),
+            "rms distance from the exact positions over the spacing",
             [](const Entry& entry) { return entry.finest().error / entry.finest().size; },
-            Bound{.limit = 1, .reason = "a surface is not known by less than the spacing"});
+            Bound{.limit = 1, .reason = "a surface is uncertain by one spacing"});
   }
   claims_of(all, "overlapping")
-      .at(fmt::format("{} spacings to the radius", values.integer("overlapping") / 2))
+      .at(fmt::format("{} spacings per radius", values.integer("overlapping") / 2))
       .check(
           "overlapping-rim",
           "The drop outline of overlapping particles, at half as many rows, is within one particle spacing of the "
           "exact ellipse.",
-          "rms distance from the exact places over the spacing",
+          "rms distance from the exact positions over the spacing",
           [](const Entry& entry) { return entry.attempts.at(1).error / entry.attempts.at(1).size; },
           Bound{.limit = 1,
-                .reason = "a surface is not known by less than the spacing; on finer rows noise of single particles is "
-                          "in it, which nobody can foretell"});
+                .reason = "a surface is uncertain by one spacing; at finer resolution the error contains unpredictable "
+                          "noise of single particles"});
   all.check(
-      "nearest", "Gauss-principle particles give the smallest outline error of all models.", "their error is the least",
+      "nearest", "Gauss-principle particles give the smallest outline error of all models.",
+      "their error is the smallest",
       [](const Contest& contest) {
         const double least = contest.of("particles").finest().error;
         return std::ranges::all_of(contest.entries(),
                                    [least](const Entry& one) { return !(one.finest().error < least); });
       },
       Qualitative{.detector = "error of the finest resolution of each",
-                  .reason = "their space holds the linear fields of the exact motion"});
+                  .reason = "their space contains the linear fields of the exact motion"});
 }
 
 void claim_ends(const Claims<Contest>& all, const Values& values) {
-  const auto lasting = all.only_if(values.real("last") <= 3, "nobody knows how thin a drop they follow");
+  const auto lasting =
+      all.only_if(values.real("last") <= 3, "the smallest drop thickness that the particles resolve is unknown");
   for (const Named& model : {names[0], names[1]}) {
     claim_lasts(claims_of(lasting, model.id), model, values.real("last"), source);
   }
-  claim_breaks(claims_of(all.only_if(values.real("last") >= 3, "they last until the drop is thin"), "dirichlet"),
-               names[2], "the outline is drawn out, and nothing restores the place of a node in its cell", source);
+  claim_breaks(claims_of(all.only_if(values.real("last") >= 3, "they complete until the drop is thin"), "dirichlet"),
+               names[2], "the outline is stretched, and no force restores the position of a node in its cell", source);
 }
 
 void claims(const Values& values, const Claims<Contest>& all) {
@@ -454,10 +453,10 @@ void drop_models(Case& c) {
       real("time", 1.0, "1/strain rate", {0.1, 5}, "at which errors are compared"),
       real("last", 3.0, "1/strain rate", {0.1, 20}, "until which the models are followed"),
       integer("mesh", {32, 64, 64}, {16, 256}, "cells across the Lagrangian mesh, finest of four"),
-      integer("rings", {28, 56, 56}, {14, 140}, "of free particles to the radius, finest of four"),
+      integer("rings", {28, 56, 56}, {14, 140}, "of Gauss-principle particles per radius, finest of four"),
       integer("cells", {16, 32, 32}, {8, 64}, "rings of Dirichlet cells and of variable masses, finest of four"),
-      integer("overlapping", {16, 40, 40}, {12, 80}, "spacings of overlapping particles to the radius, finest of four"),
-      integer("sph", {28, 80, 80}, {12, 400}, "spacings of SPH particles to the radius, finest of three"),
+      integer("overlapping", {16, 40, 40}, {12, 80}, "spacings of overlapping particles per radius, finest of four"),
+      integer("sph", {28, 80, 80}, {12, 400}, "spacings of SPH particles per radius, finest of three"),
   };
   c.study = Study(claims, compute, show, source);
 }

@@ -1,19 +1,19 @@
 /*
-A round drop without gravity starts with velocities that are linear in place and becomes an ellipse: Dirichlet's exact
-solution, with which Frank tries free particles under Gauss's principle of least constraint (section 6.3).
+A round drop without gravity, with initial velocities linear in position, becomes an ellipse: Dirichlet's exact
+solution, with which Frank tests Gauss-principle particles (section 6.3).
 
-**Set-up.** The velocity gradient at the beginning is `xx`, `xy`, `yx` and $yy = -xx$; by default $u = x$, $v = -y$.
-Rings of particles on the unit disc, markers on its rim; cubic splines on square cells of 0.2, many of them cut by the
-surface. Steps of 0.01 to t = 2, when the drop is 13 times as long as wide. No condition is set on the surface.
+**Set-up.** The initial velocity gradient is `xx`, `xy`, `yx` and $yy = -xx$; by default $u = x$, $v = -y$. Rings of
+particles on the unit disc, markers on its rim; cubic splines on square cells of 0.2, many of them cut by the surface.
+Steps of 0.01 to t = 2, when the drop is 13 times as long as wide. No condition is imposed on the surface.
 
-**What is compared.** The places of particles and markers with the exact ones; with a space that holds the five
-linear fields alone, in which the particles err by the steps only; the pressure at the middle, fitted to the reactions
+**What is compared.** The positions of particles and markers with the exact ones, and with a space of the five linear
+fields alone, in which the particle error comes from the steps only; the pressure at the centre, fitted to the reactions
 of a step.
 
-**What to look at.** The particles stay on their exact paths; the surface is as good as the inside.
+**What to look at.** The particles stay on their exact paths; the surface is as accurate as the interior.
 
-**When it is no test.** The fields are linear, so that the space holds them exactly: what is tried is the extension at
-cut cells, the sums over particles, and the steps.
+**Limits of this test.** The fields are linear, so that the space contains them exactly: the test covers the extension
+at cut cells, the sums over particles, and the steps.
 */
 #include <cmath>
 #include <memory>
@@ -67,8 +67,8 @@ SetUp set_up(const Values& values) {
   gradient << values.real("xx"), values.real("xy"), values.real("yx"), -values.real("xx");
   if (!(gradient.determinant() < 0)) {
     throw std::invalid_argument(
-        fmt::format("xx^2 + xy yx = {:g} is out of range: positive; else the pressure is below the surroundings and "
-                    "the surface unstable",
+        fmt::format("xx^2 + xy yx = {:g} is out of range: must be positive; otherwise the pressure is below the "
+                    "surroundings and the surface unstable",
                     -gradient.determinant()));
   }
   const auto rings = std::lround(std::sqrt(values.number("particles") / 3));
@@ -165,31 +165,33 @@ void claims(const Values& values, const Claims<Results>& all) {
   const Claims<Results> claims = all.at(fmt::format("{:g} particles, tau = {:g}", s.particles(), s.tau));
   const double strain = s.gradient.norm() / std::numbers::sqrt2;
   claims.check(
-      "places", "The particle positions agree with the exact drop.", "rms distance from the exact places [radius]",
-      [](const Results& r) { return r.splines.rms; },
+      "places", "The rms error of particle positions is below its second-order estimate, (strain rate times step)^2.",
+      "rms distance from the exact positions [radius]", [](const Results& r) { return r.splines.rms; },
       Bound{std::pow(strain * s.tau, 2),
-            "second order: the square of strain rate times step, in radii; Frank's projection scheme, of first order, "
-            "errs by a part of strain rate times step"});
-  claims.check("lattice",
-               "The error with splines is at most twice the error with linear fields alone, which the steps make.",
-               "rms distance over that with linear fields alone", &Results::beside_linear,
-               Bound{2, "as much again: an error budget of which steps and splines have equal parts"});
+            "second order: the square of strain rate times step, in radii; the error of Frank's first-order projection "
+            "scheme is a fraction of strain rate times step"});
   claims.check(
-      "surface", "The markers stay on the surface within a hundredth of the spacing of the rings.",
-      "largest distance of a marker from its exact place [radius]", [](const Results& r) { return r.splines.surface; },
+      "lattice",
+      "The error with splines is at most twice the error with linear fields alone, the error of the time steps.",
+      "rms distance over that with linear fields alone", &Results::beside_linear,
+      Bound{2, "as much again: an error budget shared equally by steps and splines"});
+  claims.check(
+      "surface", "The distance of markers from the exact surface is below 1 % of the ring spacing.",
+      "largest distance of a marker from its exact position [radius]",
+      [](const Results& r) { return r.splines.surface; },
       Bound{0.01 * s.spacing(),
-            "a hundredth of the spacing of the rings, below which particles do not tell where a surface is; splines "
-            "that are not continued at cut cells err by a third of the spacing"});
-  claims.check("pressure", "The pressure at the middle is Dirichlet's, from the reactions alone.",
+            "1 % of the ring spacing, below which particles do not define a surface position; splines without "
+            "extension at cut cells have an error of a third of the spacing"});
+  claims.check("pressure",
+               "The pressure at the centre, fitted to the reactions, agrees with Dirichlet's solution within 0.1.",
                "largest relative error at ten instants", &Results::pressure_error,
                Bound{0.1 / std::sqrt(s.particles()),
-                     "what a lattice leaves in the gradients, up to a tenth of them, is of either sign: a mean over "
-                     "all particles"});
+                     "the grid error of the gradients, up to a tenth, has either sign: a mean over all particles"});
 }
 
 void draw_frames(evidence::Exhibit& exhibit, const Results& r) {
-  auto& figure = exhibit.figure("frames", "The drop", "Every fourth marker of its surface, and the exact ellipse.",
-                                {"frank-ellipse"});
+  auto& figure =
+      exhibit.figure("frames", "The drop", "Every fourth surface marker, and the exact ellipse.", {"frank-ellipse"});
   for (const GaussFrame& frame : r.frames) {
     auto& panel =
         figure.panel({.x = "x", .y = "y", .title = fmt::format("t = {:g}", frame.time), .equal_aspect = true});
@@ -204,7 +206,7 @@ void draw_frames(evidence::Exhibit& exhibit, const Results& r) {
 }
 
 void draw_pressure(evidence::Exhibit& exhibit, const Results& r) {
-  auto& panel = add_panel(exhibit, "pressure", "The pressure at the middle",
+  auto& panel = add_panel(exhibit, "pressure", "Pressure at the centre",
                           "Fitted to the reactions of single steps, and Dirichlet's.",
                           {.x = "t", .y = "p(0, 0)/density"}, {"frank-ellipse"});
   const std::vector<double> time = evenly(0, r.set_up.end, 101);
@@ -221,14 +223,14 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 }  // namespace
 
 void ellipse_gauss(Case& c) {
-  c.title = "A liquid drop is stretched: Gauss-principle particles";
+  c.title = "Stretching of a liquid drop: Gauss-principle particles";
   c.source = source;
   c.parameters = {
-      real("xx", 1.0, "1", {-5, 5}, "velocity gradient du/dx at the beginning; dv/dy is its opposite"),
-      real("xy", 0.0, "1", {-5, 5}, "velocity gradient du/dy at the beginning"),
-      real("yx", 0.0, "1", {-5, 5}, "velocity gradient dv/dx at the beginning"),
+      real("xx", 1.0, "1", {-5, 5}, "initial velocity gradient du/dx; dv/dy is its opposite"),
+      real("xy", 0.0, "1", {-5, 5}, "initial velocity gradient du/dy"),
+      real("yx", 0.0, "1", {-5, 5}, "initial velocity gradient dv/dx"),
       real("cell", 0.2, "1", {0.01, 1}, "side of a cell"),
-      integer("particles", {4800, 19200, 76800}, {108, 3e6}, "on the disc, as near as rings of 3, 9, 15, ... come"),
+      integer("particles", {4800, 19200, 76800}, {108, 3e6}, "on the disc, rounded to rings of 3, 9, 15, ..."),
       integer("degree", 3, {2, 4}, "degree of the splines"),
       real("tau", {0.01, 0.005, 0.0025}, "1", {1e-5, 0.5}, "time step"),
       real("time", 2.0, "1", {0.01, 10}, "end of the run"),

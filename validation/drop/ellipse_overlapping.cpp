@@ -1,29 +1,29 @@
 /*
-A round drop without gravity starts with velocities that are linear in place and becomes an ellipse: Dirichlet's exact
-solution, an exact test of a free surface for Frank's overlapping particles (section 5.1).
+A round drop without gravity, with initial velocities linear in position, becomes an ellipse: Dirichlet's exact
+solution, a free-surface test for Frank's overlapping particles (section 5.1).
 
-**Set-up.** The velocity gradient at the beginning is `xx`, `xy`, `yx` and `yy` $= -$`xx`; by default $u = x$, $v = -y$.
-Staggered rows of particles in the unit disc, on its rim too but for the ends of the middle row, all of one mass. A
-control volume of radius $S/2$ = `smoothing`/2 spacings is centred on every particle, and the mass in it stays. The
-first velocities are projected on that.
+**Set-up.** The initial velocity gradient is `xx`, `xy`, `yx` and `yy` $= -$`xx`; by default $u = x$, $v = -y$.
+Staggered rows of particles of equal mass in the unit disc and on its rim, except at the ends of the middle row. A
+control volume of radius $S/2$ = `smoothing`/2 spacings is centred on every particle, and its mass is constant. The
+initial velocities are projected on that constraint.
 
-**What is compared.** Places of particles with the exact ones; the semi-axes of the linear map that fits the particles'
-motion best with the exact ones; both on lattices of 5, 7, 10, ... spacings to the radius, with steps in proportion.
+**What is compared.** Particle positions with the exact ones; the semi-axes of the linear map fitted to the particle
+motion with the exact ones; both at 5, 7, 10, ... spacings per radius, with steps in proportion.
 
-**What to look at.** Next to the surface control volumes are half empty, and what keeps the mass in them is not quite
-what keeps volume: the projection takes some per cent of the velocity there. Hence first order for the particles. The
-stretch, a mean over them, is better, but scatters from lattice to lattice with how the rim is cut: the six particles
-on it alone change its error twofold at ten spacings to the radius. Balls in the literal words of the source
-(`shape = ball`, `smoothing` 1.6) converge at first order too, and miss the stretch by 3 % on the finest lattice. Their
-radius is ours, the source gives none. The wider they overlap the more they resist: with 10 spacings to the radius the
-stretch is short by 0.9, 2.5 and 7.9 % for `smoothing` 1.2, 1.3 and 1.6. Below 1.5 particles part in pairs, whose
-multipliers are not unique: those two values were computed with a stabilisation of $10^{-9}$, and how the error falls
-could not be measured, for it scatters from lattice to lattice.
+**What to look at.** Next to the surface control volumes are half empty, and constant mass in them is not constant
+volume: the projection removes some per cent of the velocity there. Particle positions therefore converge at first
+order. The stretch, a mean over them, is more accurate, but scatters between resolutions with the way the rim is cut:
+the six particles on it alone change its error twofold at ten spacings per radius. Balls as the source defines them
+(`shape = ball`, `smoothing` 1.6) converge at first order too, with a stretch error of 3 % at the finest spacing; the
+source states no radius, 1.6 is a choice made here. Wider balls resist more: with 10 spacings per radius the stretch is
+low by 0.9, 2.5 and 7.9 % for `smoothing` 1.2, 1.3 and 1.6. Below 1.5 particles separate in pairs, whose multipliers are
+not unique: those two values were computed with a stabilisation of $10^{-9}$, and their order of convergence is
+undetermined, because the error scatters between resolutions.
 
-**When it is no test.** Pressures: the multipliers are chequered, and no multiple of them is the drop's. Rotation faster
-than strain (`xx` 0.5, `xy` -1, `yx` 1, `yy` -0.5) has a pressure below the surroundings and an unstable
-surface; the links between particles bear tension and follow it, for a time that is the shorter the finer the lattice:
-until t = 1 to 0.01 per cent of the stretch with a spacing of 0.1, to 2.4 per cent with 0.05.
+**Limits of this test.** Pressures: the multipliers are chequered, and no multiple of them is the drop's pressure.
+Rotation faster than strain (`xx` 0.5, `xy` -1, `yx` 1, `yy` -0.5) has a pressure below the surroundings and an unstable
+surface; the links between particles bear tension and follow the exact motion for a time that shortens with the spacing:
+until t = 1 to 0.01 % of the stretch with a spacing of 0.1, to 2.4 % with 0.05.
 */
 #include <algorithm>
 #include <array>
@@ -78,9 +78,10 @@ SetUp set_up(const Values& values) {
   gradient << values.real("xx"), values.real("xy"), values.real("yx"), values.real("yy");
   if (gradient.trace() != 0) {
     throw std::invalid_argument(
-        fmt::format("xx + yy = {:g} is out of range: 0, or the water would change its volume", gradient.trace()));
+        fmt::format("xx + yy = {:g} is out of range: must be 0, for constant volume", gradient.trace()));
   }
-  if (gradient.norm() == 0) throw std::invalid_argument("xx = xy = yx = yy = 0 is out of range: some motion");
+  if (gradient.norm() == 0)
+    throw std::invalid_argument("xx = xy = yx = yy = 0 is out of range: at least one must be non-zero");
   return {gradient,
           AffineDrop(Matrix2d::Identity(), gradient),
           {.shape = overlapping_particles::shape_named(values.text("shape")), .support = values.real("smoothing")},
@@ -162,10 +163,11 @@ struct Results {
 };
 
 RefinementStudy study_of_orders() {
-  return {.quantities = {{"places", "places, rms", "Particle positions converge to the exact drop.",
+  return {.quantities = {{"places", "places, rms",
+                          "Particle positions converge to the exact drop at an order between 1 and 3/2.",
                           Order{1.25, 0.5,
-                                "between 1, when what is lost beside the surface, a part h of the velocity, slows all "
-                                "water, and 3/2, errors of the size h in a layer of the width h alone"}},
+                                "between 1, if the velocity lost beside the surface, a fraction h, slows all water, "
+                                "and 3/2, for errors of size h in a layer of width h alone"}},
                          {"stretch", "larger semi-axis"}},
           .source = source};
 }
@@ -180,40 +182,40 @@ void claims(const Values& values, const Claims<Results>& everything) {
   const SetUp s = set_up(values);
   const Claims<Results> all = everything.at(fmt::format("h = {:g}, tau = {:g}", s.spacing, s.tau));
   const bool published = values.as_published("frank-overlapping");
-  const std::string otherwise = "volumes of another width are right in kind only";
-  const Claims<Results> claims = all.only_if(s.gradient.determinant() < 0,
-                                             "the surface of a drop that rotates faster than it is strained is "
-                                             "unstable, the finer the lattice the more")
-                                     .only_if(s.usual(), otherwise);
+  const std::string otherwise = "volumes of another width agree qualitatively only";
+  const Claims<Results> claims =
+      all.only_if(
+             s.gradient.determinant() < 0,
+             "the surface of a drop that rotates faster than it is strained is unstable, more so at finer spacings")
+          .only_if(s.usual(), otherwise);
   const double deformed = s.strain() * s.end;
   const auto judge = [&](const Claims<Results>& list, double missed) {
-    return list.only_if(!s.balls() || published, "how far balls are off depends on the lattice")
-        .fails(
-            {.value = missed,
-             .width = 0.02 * std::abs(missed),
-             .reason =
-                 "balls that overlap more than their six neighbours resist the stretch: at 10 spacings it is short by "
-                 "0.9, 2.5 and 7.9 % with S = 1.2, 1.3 and 1.6; below 1.5 pairs part and are singular"},
-            s.balls());
+    return list.only_if(!s.balls() || published, "the error with balls depends on the particle arrangement")
+        .fails({.value = missed,
+                .width = 0.02 * std::abs(missed),
+                .reason = "balls that overlap more than their six neighbours resist the stretch: at 10 spacings it is "
+                          "low by 0.9, 2.5 and 7.9 % with S = 1.2, 1.3 and 1.6; below 1.5 particles separate in pairs "
+                          "and the system is singular"},
+               s.balls());
   };
   judge(claims, 0.0720869)
       .check(
           "places", "The particle positions agree with the exact drop to about one spacing.",
-          "rms distance from the exact places [radius]", [](const Results& r) { return r.own.rms; },
+          "rms distance from the exact positions [radius]", [](const Results& r) { return r.own.rms; },
           Bound{s.spacing * deformed,
-                "a spacing that the surface is not known by, and strains as the drop is strained: first order"});
-  judge(claims.only_if(deformed <= 1.2 && s.spacing <= 0.1,
-                       "for drops not much thinner than in the source's first tests"),
-        -0.0308398)
+                "one spacing, the uncertainty of the surface, strained like the drop: first order"});
+  judge(
+      claims.only_if(deformed <= 1.2 && s.spacing <= 0.1, "for drops of the aspect ratio of the source's first tests"),
+      -0.0308398)
       .check(
           "stretch", "The larger semi-axis agrees with the exact drop.", "relative error",
           [](const Results& r) { return r.own.stretch.larger / r.exact.larger - 1; },
           Bound{std::pow(s.settings.support * s.spacing / 2, 2),
-                "the projection takes a part of the velocity that is orthogonal to the rest, as wide as half a "
-                "volume, S/2, and of the energy, which drives the stretch, its square"});
+                "the projection removes a velocity component orthogonal to the rest, over half a control volume, S/2, "
+                "and its square from the energy, which drives the stretch"});
   study_of_orders().claim_orders(claims.of(&Results::refinement)
                                      .only_if(deformed <= 1.2 && lattices_of(s).size() >= 5,
-                                              "five lattices, on which the drop is many spacings thick"));
+                                              "five spacings, at which the drop is many spacings thick"));
 }
 
 Results compute(const Run& run) {
@@ -231,8 +233,7 @@ Results compute(const Run& run) {
 }
 
 void draw_drops(const Results& r, evidence::Exhibit& exhibit) {
-  auto& particles =
-      exhibit.figure("particles", "The drop", "Its particles, and the exact outline.", {"frank-overlapping"});
+  auto& particles = exhibit.figure("particles", "The drop", "Particles, and the exact outline.", {"frank-overlapping"});
   for (const Places& frame : r.own.frames) {
     auto& panel =
         particles.panel({.x = "x", .y = "y", .title = fmt::format("t = {:g}", frame.time), .equal_aspect = true});
@@ -240,8 +241,8 @@ void draw_drops(const Results& r, evidence::Exhibit& exhibit) {
     draw_outline(panel, r.set_up.drop, frame.time);
   }
   if (r.coarser.empty()) return;
-  auto& outlines = exhibit.figure("outlines", "The outline, on three lattices",
-                                  "Where the particles are that were within one spacing of the rim, at the end.",
+  auto& outlines = exhibit.figure("outlines", "Outline at three spacings",
+                                  "Final positions of the particles that were within one spacing of the rim.",
                                   {"frank-overlapping"});
   for (const auto& [n, drop] : r.coarser) {
     const Places& end = drop.frames.back();
@@ -262,8 +263,8 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   draw_drops(r, exhibit);
   if (r.refinement.n().size() > 1) {
     const RefinementStudy study = study_of_orders();
-    study.draw(r.refinement, add_panel(exhibit, "convergence", "Errors against the lattice",
-                                       "Spacings to the radius; grey lines have slopes 1 and 2.",
+    study.draw(r.refinement, add_panel(exhibit, "convergence", "Errors against the spacing",
+                                       "Spacings per radius; grey lines have slopes 1 and 2.",
                                        {.x = "1/h", .y = "error", .log_x = true, .log_y = true}));
     study.tabulate(r.refinement, exhibit);
   }
@@ -276,18 +277,18 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 }  // namespace
 
 void ellipse_overlapping(Case& c) {
-  c.title = "A liquid drop is stretched: overlapping particles";
+  c.title = "Stretching of a liquid drop: overlapping particles";
   c.source = source;
   c.parameters = {
-      real("xx", 1.0, "1", {-5, 5}, "velocity gradient du/dx at the beginning"),
-      real("xy", 0.0, "1", {-5, 5}, "velocity gradient du/dy at the beginning"),
-      real("yx", 0.0, "1", {-5, 5}, "velocity gradient dv/dx at the beginning"),
-      real("yy", -1.0, "1", {-5, 5}, "velocity gradient dv/dy at the beginning, the opposite of xx"),
+      real("xx", 1.0, "1", {-5, 5}, "initial velocity gradient du/dx"),
+      real("xy", 0.0, "1", {-5, 5}, "initial velocity gradient du/dy"),
+      real("yx", 0.0, "1", {-5, 5}, "initial velocity gradient dv/dx"),
+      real("yy", -1.0, "1", {-5, 5}, "initial velocity gradient dv/dy, the opposite of xx"),
       real("spacing", {0.05, 0.025, 0.025}, "1", {0.01, 0.5}, "of the particles, in radii"),
       real("tau", {0.01, 0.005, 0.005}, "1", {1e-5, 0.5}, "time step"),
       real("time", 1.0, "1", {0.01, 10}, "end of the run"),
       choice("shape", "smoothed", {"smoothed", "ball"}, "of particles and control volumes"),
-      real("smoothing", usual_smoothing, "1", {1.5, 10}, "S, reach of a control volume, in spacings"),
+      real("smoothing", usual_smoothing, "1", {1.5, 10}, "S, diameter of a control volume, in spacings"),
   };
   c.published = {{.tiles = {"frank-overlapping"},
                   .values = {{"shape", std::string("ball")}, {"smoothing", smoothing_of_balls}},

@@ -1,15 +1,15 @@
 /*
-A round drop of liquid, without gravity or surface tension, is given the velocity $u = \alpha x$, $v = -\alpha y$. It
-stays an ellipse for ever, of constant area, and every particle's path is known: Dirichlet's ellipse, the patch on which
-particle methods are usually tried out.
+A round liquid drop, without gravity or surface tension, has the initial velocity $u = \alpha x$, $v = -\alpha y$. It
+remains an ellipse of constant area, and every particle's path is known: Dirichlet's ellipse, a usual test of particle
+methods.
 
 $$\alpha^2 (a^2 + b^2) = \mathrm{const}, \qquad p = \rho\,\frac{\alpha^2 a^2 b^2}{a^2 + b^2}
 \left(1 - \frac{x^2}{a^2} - \frac{y^2}{b^2}\right).$$
 
-**What is compared.** The case shows the semi-axes and the pressure at the centre. It scores others: submit the
-semi-axes and the pressure in time.
+**What is compared.** The case shows the semi-axes and the pressure at the centre. It accepts external results: the
+semi-axes and the pressure as functions of time.
 
-**What to look at.** The pressure: methods that keep the shape to a per cent may be off by several times it.
+**What to look at.** The pressure: a method with a shape error of 1 % may have a pressure error several times as large.
 */
 #include <memory>
 
@@ -52,20 +52,20 @@ std::vector<WantedTable> wanted(const Values& values) {
            .abscissa = Column{"t", "s", "time"},
            .quantities = {{.column = {"a", "m", "semi-axis along x"},
                            .reference = [drop](Place p) { return drop->semi_axis(p.abscissa); },
-                           .requirements = close("The semi-axis along x is the exact one.")},
+                           .requirements = close("The semi-axis along x agrees with the exact solution.")},
                           {.column = {"b", "m", "semi-axis along y"},
                            .reference = [drop](Place p) { return drop->other_axis(p.abscissa); },
-                           .requirements = close("The semi-axis along y is the exact one.")},
+                           .requirements = close("The semi-axis along y agrees with the exact solution.")},
                           {.column = {"pressure", "Pa", "pressure at the centre"},
                            .reference = [drop](Place p) { return drop->at(p.abscissa).central_pressure; },
-                           .requirements = close("The pressure at the centre is the exact one.")}},
+                           .requirements = close("The pressure at the centre agrees with the exact solution.")}},
            .points = [times = times_of(values)](double) { return times; }}};
 }
 
 }  // namespace
 
 void stretching_drop(Case& c) {
-  c.title = "A free liquid drop is stretched into an ellipse";
+  c.title = "Stretching of a free liquid drop into an ellipse";
   c.source =
       "P. G. L. Dirichlet, Abh. Kgl. Ges. Wiss. Goettingen 8 (1860) 3; M. S. Longuet-Higgins, J. Fluid Mech. 55 (1972) "
       "529";
@@ -73,7 +73,7 @@ void stretching_drop(Case& c) {
       real("radius", 1.0, "m", {1e-9, 1e6}, "radius at t = 0"),
       real("strain_rate", 1.0, "1/s", {1e-9, 1e6}, "strain rate at t = 0"),
       real("density", 1000.0, "kg/m^3", {1e-9, 1e9}, "density"),
-      real("time", 2.0, "s", {1e-9, 1e6}, "end of the series that is asked for"),
+      real("time", 2.0, "s", {1e-9, 1e6}, "end of the requested series"),
       tolerance_parameter(),
   };
   c.study = exact_study<drop_of, show>(source);

@@ -1,26 +1,26 @@
 /*
-A round drop without gravity turns about its middle, $\mathbf{u} = \omega (1 - r^2)(-y, x)$: an exact steady flow, in
-which shear parts neighbours for ever. It shows for how long overlapping particles are a fluid, and what they become:
-the source reports a "stochastic regime" from initial data that are not random at all (section 5.1).
+A round drop without gravity rotates, $\mathbf{u} = \omega (1 - r^2)(-y, x)$: an exact steady flow, in which shear
+separates neighbours indefinitely. The case measures for how long overlapping particles behave as a fluid; the source
+reports a "stochastic regime" from regular initial data (section 5.1).
 
 **Set-up.** Staggered rows of particles in the unit disc, $\omega$ = `rate`, steps of `tau`. Beside this flow, `seeds`
-copies whose particles were moved at random by $10^{-8}$ in all.
+copies with random initial displacements of $10^{-8}$.
 
-**What is compared.** Statistics, never trajectories: the part of the kinetic energy that is not in the exact flow
-$\mathbf{F}$ at the particles' places, $1 - (\mathbf{u} \cdot \mathbf{F})^2/(u^2 F^2)$ ("incoherent"); the kurtosis of
-the velocities left when the exact flow is taken out, which is 3 for Gaussian ones; the rate at which copies leave the
-first flow, from twice the first distance to 0.1, in places and velocities. Means over the copies with intervals of 95
-per cent; energy and angular momentum.
+**What is compared.** Statistics, never trajectories: the fraction of kinetic energy outside the exact flow $\mathbf{F}$
+at the particle positions, $1 - (\mathbf{u} \cdot \mathbf{F})^2/(u^2 F^2)$ ("incoherent"); the kurtosis of the
+velocities minus the exact flow, 3 for Gaussian ones; the rate at which copies diverge from the first flow, from twice
+the initial distance to 0.1, in positions and velocities. Means over the copies with 95 % intervals; energy and angular
+momentum.
 
-**What to look at.** After a third of a turn of the middle a quarter of the energy is noise, after two thirds of one
-nearly all. Copies leave the first flow at 13.9 e-foldings in a time unit. What comes out is an equilibrium: Gaussian
-velocities, the same for all copies in its statistics and for none in its places, with energy and angular momentum kept
-to the last digits throughout.
+**What to look at.** After a third of a revolution of the centre a quarter of the energy is incoherent, after two thirds
+nearly all. Copies diverge at 13.9 e-foldings per time unit. The final state is an equilibrium: Gaussian velocities,
+statistics common to all copies, positions common to none, with energy and angular momentum conserved to the last digits
+throughout.
 
-**What this means.** The model is right for smooth flow for less than one turn of an eddy; then it thermalises, its
-energy goes into motions of single particles. It is no model of a flow with shear that lasts, and has no viscosity that
-would tell. None of it comes from the time step: with half of it copies part at 12.2 instead of 13.9 e-foldings, and the
-same equilibrium is reached.
+**What this means.** The model represents smooth flow for less than one revolution of an eddy; then the flow
+thermalises, and its energy passes into motions of single particles. The model is unsuitable for sustained shear, and
+has no viscosity by which this could be explained. The time step is not the cause: with half the step copies diverge at
+12.2 instead of 13.9 e-foldings per time unit and reach the same equilibrium.
 */
 #include <algorithm>
 #include <cmath>
@@ -215,17 +215,18 @@ struct Results {
 
 void claim_statistics(const SetUp& s, const Claims<Results>& all) {
   const Claims<Results> claims =
-      all.only_if(s.at * s.rate >= 6, "before two thirds of a turn it is not yet equilibrium");
+      all.only_if(s.at * s.rate >= 6, "before two thirds of a revolution the flow is not in equilibrium");
   claims.check(
-      "incoherent", "Of the exact flow nothing is left.", "incoherent part of the energy, mean of the copies",
+      "incoherent", "The incoherent part of the kinetic energy exceeds 90 % after two thirds of a revolution.",
+      "incoherent part of the energy, mean over the copies",
       [](const Results& r) { return Estimate(r.incoherent_at).measured(); },
       Bound{.limit = 0.1,
-            .reason = "a tenth of the energy is what a disc of the exact flow with a third of the velocity has: below "
-                      "that there is no eddy to follow",
+            .reason = "10 % of the energy is that of the exact flow at a third of its velocity: below that no eddy can "
+                      "be identified",
             .expected = 1});
   claims.check(
-      "kurtosis", "What is left of the velocities is Gaussian.",
-      "kurtosis, mean of the copies and of the rest of the run",
+      "kurtosis", "The kurtosis of the velocities minus the exact flow equals the Gaussian value, 3.",
+      "kurtosis, mean over the copies and the rest of the run",
       [](const Results& r) { return Estimate(r.kurtosis).measured(); },
       Bound{.limit = 2 * std::sqrt(24 / (2 * s.particles())),
             .reason = "2 sqrt(24/2N), two standard deviations of the kurtosis of 2N Gaussian velocities; uniform ones "
@@ -239,18 +240,18 @@ void claims(const Values& values, const Claims<Results>& all) {
   claim_statistics(s, claims);
   const double operations = 40 * static_cast<double>(s.steps());
   claims.from("Frank (1994), chapter 1")
-      .check("energy", "The energy is conserved to round-off, through all disorder.",
-             "largest defect of all flows, over the energy", &Results::energy,
+      .check("energy", "The energy of the disordered flow is conserved to round-off.",
+             "largest energy error of all flows, over the energy", &Results::energy,
              Roundoff{.operations = operations,
                       .scale = 1,
                       .reason = "in every step the multipliers of a particle's forty volumes, rounded"});
   claims.from("Frank (1994), chapter 1")
       .check("angular_momentum", "Angular momentum is conserved to round-off (overlapping particles).",
-             "largest defect of all flows", &Results::angular_momentum,
+             "largest error of all flows", &Results::angular_momentum,
              Roundoff{.operations = operations,
                       .scale = s.rate / std::sqrt(s.particles()),
                       .reason = "as for the energy; scale: sum of m |r| |u|, with particles up to 3 away at speeds of "
-                                "a third of the rate, mass pi; over sqrt N, for particles round on their own"});
+                                "a third of the rate, mass pi; over sqrt N, for independent roundings of particles"});
 }
 
 Results compute(const Run& run) {
@@ -280,10 +281,10 @@ Results compute(const Run& run) {
 }
 
 void draw_history(const Results& r, evidence::Exhibit& exhibit) {
-  auto& figure = exhibit.figure("history", "From an eddy to noise",
-                                "The incoherent part of the energy, of the first flow and of copies; distances of the "
-                                "copies from the first flow.",
-                                {"frank-overlapping"});
+  auto& figure = exhibit.figure(
+      "history", "From an eddy to noise",
+      "Incoherent part of the energy, of the first flow and of copies; distances of the copies from the first flow.",
+      {"frank-overlapping"});
   const std::vector<double> time = each(indices(r.first.incoherent.size()), [&](std::size_t n) { return r.time(n); });
   auto& incoherent = figure.panel({.x = "t", .y = "incoherent part"});
   auto& distances = figure.panel({.x = "t", .y = "distance", .log_y = true});
@@ -333,13 +334,14 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 }  // namespace
 
 void vortex_overlapping(Case& c) {
-  c.title = "A vortex becomes noise: overlapping particles";
+  c.title = "Decay of a vortex into noise: overlapping particles";
   c.source = source;
   c.parameters = {
       real("spacing", 0.125, "1", {0.03, 0.3}, "of the particles, in radii"),
-      real("rate", 3.0, "1", {0.1, 30}, "angular velocity of the middle at the beginning"),
-      integer("seeds", 10, {2, 100}, "copies that are moved at random by 1e-8"),
-      real("at", 2.0, "1", {0.1, 100}, "time at which the incoherent part is read, and from which on the kurtosis"),
+      real("rate", 3.0, "1", {0.1, 30}, "initial angular velocity at the centre"),
+      integer("seeds", 10, {2, 100}, "copies with random displacements of 1e-8"),
+      real("at", 2.0, "1", {0.1, 100},
+           "time at which the incoherent part is evaluated, and from which on the kurtosis"),
       real("tau", 0.02, "1", {1e-4, 0.1}, "time step"),
       real("time", 3.0, "1", {0.2, 100}, "end of the run"),
   };

@@ -1,17 +1,17 @@
 /*
-Add the velocity $-a$ to the bore of depth 2 m into 1 m and it stands still. In its mirror image, which Bogomolov,
-Zakharov and Zerkal draw, supercritical water of depth $h_0 = 1$ m enters from the left at 5.42 m/s and leaves to the
-right, 2 m deep, at 2.71 m/s. They compute it with 105 particles and $\tau = 0.08$ s, the jump at $x = 100$ m (their
-figures 16 to 18).
+A bore of depth 2 m into 1 m is stationary in a frame moving at its speed $a$. In its mirror image, drawn by Bogomolov,
+Zakharov and Zerkal, supercritical water of depth $h_0 = 1$ m enters from the left at 5.42 m/s and leaves to the right,
+2 m deep, at 2.71 m/s. They compute it with 105 particles and $\tau = 0.08$ s, the jump at $x = 100$ m (their figures 16
+to 18).
 
 The particles move through the jump; both ends are pistons moving with the stream.
 
-**What is compared.** The position and the profile of the jump after 100 steps, with the other levels of the method and
-the comparison schemes.
+**What is compared.** The position and the profile of the jump after 100 steps, with the other variants of the method
+and the comparison schemes.
 
-**What to look at.** MacCormack's and Roe's schemes keep a jump that lies on a cell edge exactly, because nothing moves
-for them. For the particles the water moves 43 m and the jump stays: to all digits by the hand-over; by the
-rearrangement as the paper wrote it in one particle, but a metre downstream.
+**What to look at.** MacCormack's and Roe's schemes hold a jump on a cell edge exactly, because their grid is at rest.
+For the particles the water moves 43 m and the jump stays: to all digits by the hand-over; by the rearrangement as
+written in the paper within one particle, but a metre downstream.
 */
 #include <cmath>
 
@@ -64,8 +64,8 @@ struct Results {
 
 void draw_sketches(evidence::Exhibit& exhibit, const FlowProblem& problem, const StationaryJump& jump) {
   const ProfileCurve curve = exact_curve(problem, 0, length, 0);
-  auto& panel = add_panel(exhibit, "setup", "Hydraulic jump at rest: the problem",
-                          "Water flows from left to right through a jump that stands.",
+  auto& panel = add_panel(exhibit, "setup", "Stationary hydraulic jump: initial state",
+                          "Water flows from left to right through a stationary jump.",
                           {.x = "x [m]",
                            .y = "elevation [m]",
                            .title = fmt::format("u = {:.2f} m/s left, {:.2f} m/s right", jump.upstream().velocity,
@@ -99,13 +99,13 @@ Results compute(const Run& run) {
 void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
   const SetUp& s = r.set_up;
   draw_sketches(exhibit, s.problem, s.jump);
-  show_figure(r.figure, exhibit, "Particles stream through a jump at rest", {"bzz-fig-18"});
+  show_figure(r.figure, exhibit, "Particles passing a stationary jump", {"bzz-fig-18"});
 }
 
 }  // namespace
 
 void stationary_jump(Case& c) {
-  c.title = "A hydraulic jump at rest";
+  c.title = "Stationary hydraulic jump";
   c.source = literature::bogomolov + ", figures 16 to 18";
   c.tiers = {Tier::quick};
   c.parameters = {

@@ -10,15 +10,15 @@ $$\tilde q = q^n + \tfrac{\tau}{2} u^n, \quad u^* = u^n - \tfrac{\tau}{2} M^{-1}
 $$q^{n+1} = q^n + \tau\tilde u, \qquad u^{n+1} = 2\tilde u - u^n .$$
 
 He states that it takes half the work of second-order Runge-Kutta and is more accurate. Rigid chains are the smallest
-systems on which this can be seen: a pendulum of `links` links (two: the spherical double pendulum), pinned, under
-gravity. Links have unit length, masses are 1 and 1.3 in turn.
+test systems: a pendulum of `links` links (two: the spherical double pendulum), pinned, under gravity. Links have unit
+length, masses are 1 and 1.3 in turn.
 
-**What is compared.** The largest error of a coordinate at the time `time` against an adaptive method of order 8, for
-steps of $8\tau$ to $\tau/4$, as a function of the solves with $A = JM^{-1}J^T$ and of processor time. The scheme beside
-RK2, RK4, RATTLE, the fully conservative implicit variant, compositions to fourth order, and two adaptive methods.
+**What is compared.** The largest coordinate error at `time` against an adaptive method of order 8, for steps of $8\tau$
+to $\tau/4$, as a function of the number of solves with $A = JM^{-1}J^T$ and of processor time. The scheme beside RK2, RK4,
+RATTLE, the fully conservative implicit variant, fourth-order compositions, and two adaptive methods.
 
-**What to look at.** The statement holds, by a factor of 13 at equal steps. What it leaves out: for a small error over a
-short time, methods of high order are far cheaper than either.
+**What to look at.** The statement holds, by a factor of 13 at equal steps. For small errors over a short time, however,
+high-order methods are far cheaper than either.
 */
 #include <algorithm>
 #include <cmath>
@@ -216,7 +216,7 @@ void claim_half_the_cost(const Claims<Curves>& claims, const std::string& range)
   };
   claims.at("equal steps")
       .check(
-          "cost", "A step costs half of RK2's.", "solves of the scheme / solves of RK2",
+          "cost", "The number of solves per step is half the number for RK2.", "solves of the scheme / solves of RK2",
           [](const Curves& curves) {
             return curves.of(Integrator::one_step).solves[middle] / curves.of(Integrator::runge_kutta_2).solves[middle];
           },
@@ -224,7 +224,7 @@ void claim_half_the_cost(const Claims<Curves>& claims, const std::string& range)
   claims.at("equal steps")
       .from("Frank (1994), section 6.1")
       .check(
-          "cost-of-projection", "A step costs what one of the projection scheme (21) costs, which loses energy.",
+          "cost-of-projection", "The number of solves per step equals the projection scheme (21), which loses energy.",
           "solves of the scheme / solves of the projection scheme",
           [](const Curves& curves) {
             return curves.of(Integrator::one_step).solves[middle] / curves.projection.solves.front();
@@ -236,7 +236,7 @@ void claim_half_the_cost(const Claims<Curves>& claims, const std::string& range)
         return largest_ratio(
             curves, [](const WorkPrecision& rk2, const WorkPrecision&, std::size_t i) { return rk2.error[i]; });
       },
-      Bound{1, "better means less than 1"});
+      Bound{1, "better means a ratio below 1"});
   claims.at(range).check(
       "accuracy-at-equal-cost", "The error at equal numbers of solves is smaller than RK2's.",
       "largest error ratio, scheme / RK2",
@@ -245,23 +245,24 @@ void claim_half_the_cost(const Claims<Curves>& claims, const std::string& range)
           return error_at(rk2, own.solves[i]);
         });
       },
-      Bound{1, "better means less than 1"});
+      Bound{1, "better means a ratio below 1"});
 }
 
 void claims(const Values& values, const Claims<Curves>& claims) {
   const Integrator scheme = judged(values);
   const std::vector<long> steps = refined_steps(values);
-  claim_half_the_cost(claims.only_if(scheme == Integrator::one_step, "Frank says it of the one-step scheme only"),
+  claim_half_the_cost(claims.only_if(scheme == Integrator::one_step, "stated by Frank of the one-step scheme only"),
                       fmt::format("{} .. {} steps", steps.front(), steps.back()));
   const bool fourth = order(scheme) == 4;
   claims.check(
-      "order", fmt::format("The scheme is of order {}.", order(scheme)), "order of the largest coordinate error",
+      "order", fmt::format("The largest coordinate error converges at order {}.", order(scheme)),
+      "order of the largest coordinate error",
       [scheme](const Curves& curves) {
         const WorkPrecision& own = curves.of(scheme);
         return evidence::observed_order(own.tau, own.error, 10 * curves.uncertainty);
       },
       Order{fourth ? 4.0 : 2.0, fourth ? 0.2 : 0.1,
-            "smooth motion; errors below ten times the error of the reference are left out"});
+            "smooth motion; errors below ten times the reference error are excluded"});
 }
 
 void draw_curves(evidence::Exhibit& exhibit, const Curves& curves) {
@@ -298,9 +299,9 @@ void one_step_scheme(Case& c) {
       integer("links", 2L, {1, 1000}, "links of the pendulum"),
       real("gravity", 1.0, "l/t^2", {0, 1e3}, "gravity on the pendulum"),
       choice("scheme", "one_step", {"one_step", "triple_jump", "suzuki", "conservative", "conservative_suzuki"},
-             "the scheme that is evaluated; all are drawn"),
-      real("time", 5.0, "t", {1e-3, 1e3}, "when the error is taken"),
-      real("tau", 0.0125, "t", {1e-6, 10}, "middle one of the steps for accuracy: 8 tau to tau/4"),
+             "the scheme evaluated; all are drawn"),
+      real("time", 5.0, "t", {1e-3, 1e3}, "time at which the error is evaluated"),
+      real("tau", 0.0125, "t", {1e-6, 10}, "middle of the range of steps, 8 tau to tau/4"),
   };
   c.published = {{.tiles = {"frank-integrator"}, .stated = {"scheme"}}};
   c.study = Study(claims, compute, show, source);

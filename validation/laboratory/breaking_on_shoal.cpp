@@ -1,11 +1,11 @@
 /*
-Regular waves break on an elliptic shoal (Vincent and Briggs).
+Regular waves break on an elliptic shoal (Vincent and Briggs 1989).
 
-**What is compared.** Wave height over the incident one along a section behind the shoal: on its axis, beside it, and
-the root mean square difference. The case scores others.
+**What is compared.** Wave height over the incident height along a section behind the shoal: on its axis, beside it, and
+the rms difference. The case accepts external results.
 
-**What to look at.** Where waves break on the shoal, the currents they drive spread what would be focused: on the axis
-the waves are lower than beside it. Models without that current have it the other way round.
+**What to look at.** Breaking on the shoal drives currents that defocus the waves: on the axis the waves are lower than
+beside it. Models without that current predict the opposite.
 */
 #include "validation/laboratory/laboratory_case.hpp"
 
@@ -29,7 +29,7 @@ Experiment experiment(const Values& /*values*/) {
 }  // namespace
 
 void breaking_on_shoal(Case& c) {
-  c.title = "Regular waves break on an elliptic shoal";
+  c.title = "Breaking of regular waves on an elliptic shoal";
   c.source = source;
   set_laboratory<experiment>(c);
 }

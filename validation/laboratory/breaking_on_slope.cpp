@@ -1,13 +1,13 @@
 /*
-Regular waves climb a slope of 1:34 and break (Hansen and Svendsen): 3.33 s, plunging, and 1.67 s, spilling.
+Regular waves climb a 1:34 slope and break (Hansen and Svendsen 1979): period 3.33 s, plunging, and 1.67 s, spilling.
 
-**What is compared.** Wave height and mean level along the slope: the largest height, where it is, and the root mean
-square difference before breaking. The case scores others, and the one-dimensional dispersive model with breaking is
-scored by the same claims in the longer tiers, from cnoidal waves of the measured height at the toe, over glass. It is
-compared over the three periods after 30 s, when the front of the train has gone up the slope.
+**What is compared.** Wave height and mean level along the slope: maximum height, its position, and the rms difference
+before breaking. The case accepts external results; in the longer tiers the same claims score the one-dimensional
+dispersive model with breaking, driven by cnoidal waves of the measured height at the toe, over a glass bed, over the
+three periods after 30 s, when the front of the wave train has passed the slope.
 
-**What to look at.** Drive the waves such that the height at the toe is the measured one, 0.0406 and 0.0695 m, with a
-wave of permanent form: from linear wavemakers free second harmonics beat along the flat.
+**What to look at.** Drive the waves with a wave of permanent form and the measured height at the toe, 0.0406 and 0.0695
+m: linear wavemakers generate free second harmonics that beat along the flat.
 */
 #include <algorithm>
 
@@ -108,26 +108,25 @@ Experiment experiment(const Values& values) {
     heights.read({highest(wave, {}), when_highest(wave, {}, Kind::place), misfit(wave, {0, breaking})});
     levels.readings.push_back(misfit(wave, {0, breaking}));
   }
-  return {
-      .source = source,
-      .parts = {heights, levels},
-      .files = {"hansen_svendsen_1979_shoaling_breaking/bed.csv"},
-      .compute = values.tier() == Tier::quick ? nullptr : compute,  // coarser spacings place no breaking to 1.5 m
-      .model = "dispersive shallow water with breaking",
-      .coarsenings = {1, 1.5, 2},
-      .miss =
-          "cause unknown: the set-down before breaking of the long wave is 1.0 mm where 1.7 mm was measured, and its "
-          "computed height undulates by 3 mm along the slope, which the measured one does not; largest heights and "
-          "places of breaking agree. Waves of the Euler equations at the toe would tell whether it is what drives "
-          "them"};
+  return {.source = source,
+          .parts = {heights, levels},
+          .files = {"hansen_svendsen_1979_shoaling_breaking/bed.csv"},
+          .compute = values.tier() == Tier::quick ? nullptr : compute,  // coarser spacings place no breaking to 1.5 m
+          .model = "dispersive shallow water with breaking",
+          .coarsenings = {1, 1.5, 2},
+          .miss =
+              "cause unknown: the set-down before breaking of the long wave is 1.0 mm, compared with 1.7 mm measured, "
+              "and the computed height undulates by 3 mm along the slope, unlike the measured one; maximum heights and "
+              "breaking points agree. Waves of the Euler equations at the toe would show whether the boundary "
+              "condition is the cause"};
 }
 
 }  // namespace
 
 void breaking_on_slope(Case& c) {
-  c.title = "Regular waves shoal and break on a slope";
+  c.title = "Shoaling and breaking of regular waves on a slope";
   c.source = source;
-  c.parameters = {real("spacing", {0.1, 0.04, 0.04}, "m", {0.01, 0.1}, "of the markers, where the model computes")};
+  c.parameters = {real("spacing", {0.1, 0.04, 0.04}, "m", {0.01, 0.1}, "node spacing, for the model run")};
   set_laboratory<experiment>(c);
 }
 

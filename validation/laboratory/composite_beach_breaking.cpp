@@ -1,15 +1,15 @@
 /*
-Wave C of the composite beach (`composite_beach`), a solitary wave 0.68 depths high that breaks on the slope and runs
-up the wall behind it as a bore.
+Wave C of the composite beach (`composite_beach`), a solitary wave of H/h = 0.68 that breaks on the slope and runs up
+the wall as a bore.
 
-**Set-up.** The one-dimensional dispersive model from a solitary wave of the height that gauge 4 measured. Fronts begin
-to break at a slope of 30 degrees and end at a Froude number of 1.3, with the viscosity that leaves no waves behind a
-bore; friction is taken for glass. Nothing is fitted to the experiment.
+**Set-up.** The one-dimensional dispersive model from a solitary wave of the height measured at gauge 4. Fronts begin to
+break at a slope of 30 degrees and stop at a Froude number of 1.3, with the viscosity that leaves no waves behind a
+bore; the friction coefficient is the value for glass. No parameter is fitted to the experiment.
 
-**What is compared.** What `composite_beach` compares: elevation at seven gauges and the run-up on the wall.
+**What is compared.** As in `composite_beach`: elevation at seven gauges and the run-up on the wall.
 
-**What to look at.** Gauges 8 to 10, where a bore passes and comes back. Without breaking the run ends when the wave
-meets the wall and leaves it dry.
+**What to look at.** Gauges 8 to 10, which the bore passes twice. Without breaking the run ends when the wave reaches
+the wall and leaves it dry.
 */
 #include "validation/laboratory/composite_beach_experiment.hpp"
 #include "validation/laboratory/laboratory_case.hpp"
@@ -26,7 +26,7 @@ Experiment experiment(const Values& /*values*/) {
 }  // namespace
 
 void composite_beach_breaking(Case& c) {
-  c.title = "A solitary wave breaks on a beach of three slopes";
+  c.title = "Breaking of a solitary wave on a beach of three slopes";
   c.source = composite_beach_source;
   c.parameters = {real("spacing", 0.02, "m", {0.005, 0.1}, "of the markers")};
   set_laboratory<experiment>(c);

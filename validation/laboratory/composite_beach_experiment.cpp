@@ -12,12 +12,12 @@ constexpr double depth = 0.218;
 
 const std::string miss =
     "arrivals at gauges 8 to 10: between 7 and 8 the measured wave is slower than sqrt(g depth), 1.34 s for 1.46 m "
-    "instead of 1.29 s; and the run-up, 0.0274 m, is more than the doubling of a long wave after Green's law gives at "
-    "the wall, 0.024 m, while the gauge before the wall agrees";
+    "instead of 1.29 s; the measured run-up, 0.0274 m, exceeds twice the height of a long wave by Green's law at the "
+    "wall, 0.024 m, while the gauge before the wall agrees";
 const std::string breaking_miss =
-    "the wave falls from 0.68 to 0.59 depths between gauges 4 and 6 in the flume, before the slope makes it break; "
-    "Serre's solitary wave keeps its height there, is broader than the Euler equations' of so great a height, and so "
-    "runs too fast and loses more as a bore";
+    "the measured height falls from H/h = 0.68 to 0.59 between gauges 4 and 6, before breaking on the slope; Serre's "
+    "solitary wave retains its height there and is broader than that of the Euler equations at this height, and "
+    "therefore runs too fast and loses more as a bore";
 
 /// Of a wave: its letter, the place of gauge 4, when the crest passes there, and how high [m].
 struct Wave {
@@ -84,7 +84,7 @@ Experiment composite_beach_experiment(const std::string& letter) {
                .quantity = {"R", "m", "maximum run-up on the wall"},
                .rows = {{"case", wave.letter}},
                .input = 0.02,
-               .input_reason = "height of the wave: stated and recorded ones differ by 2 to 3 %",
+               .input_reason = "wave height: stated and recorded values differ by 2 to 3 %",
                .readings = {at(0, wave.letter, Kind::run_up)}};
   Experiment one{.source = composite_beach_source,
                  .parts = {gauges, runup},

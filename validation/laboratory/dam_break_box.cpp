@@ -1,11 +1,11 @@
 /*
-Water of a broken dam meets a box in an open tank (Kleefsman and others; SPHERIC test 2).
+A dam break hits a box in an open tank (Kleefsman and others 2005; SPHERIC test 2).
 
-**What is compared.** Height of the water at four places: when it comes, its mean over the time to the return wave.
-Pressure on the face of the box: when it comes, and its impulse to one second. The case scores others.
+**What is compared.** Water height at four positions: arrival time and mean up to the return wave. Pressure on the face
+of the box: arrival time and impulse up to 1 s. The case accepts external results.
 
-**What to look at.** The distributed file exchanges two of the heights against the drawing: here positions differ by
-when they get wet. No peak of pressure is asked for. Broken water is full of air, and a wire probe reads what is wetted.
+**What to look at.** The distributed file exchanges two of the heights against the drawing; positions follow here from
+arrival times. Pressure peaks are not scored. Broken water contains air, and a wire probe measures its wetted length.
 */
 #include "validation/laboratory/laboratory_case.hpp"
 
@@ -46,7 +46,7 @@ Experiment experiment(const Values& /*values*/) {
 }  // namespace
 
 void dam_break_box(Case& c) {
-  c.title = "A broken dam against a box";
+  c.title = "Dam break against a box";
   c.source = source;
   set_laboratory<experiment>(c);
 }

@@ -1,21 +1,21 @@
 /*
-Water of a broken dam, 0.3 m high, runs over a dry floor and hits a wall 1.01 m away (Lobovsky and others). The
-pressure 0.015 m above the floor was recorded in about a hundred repeats.
+A dam break, of initial depth H = 0.3 m, runs over a dry floor and hits a wall 1.01 m away (Lobovsky and others 2014).
+The pressure 0.015 m above the floor was recorded in about a hundred repeats.
 
-**What is compared.** Impulse of the impact, the mean from T = 2.6 to 2.8, where repeats differ least, by 4 %, the
-plateau after it, and the root mean square difference from the median from T = 2.6 on: before, the pressure rises, and
-the band of the repeats is one of time. Times are counted from where the pressure first reaches 0.3, as the source has
-it, since a gate that takes 0.1 s to go delays the impact. The band of the repeats is the uncertainty. The case scores
-others, and weakly compressible SPH is scored by the same claims in the longer tiers.
+**What is compared.** Impulse of the impact; the mean from T = 2.6 to 2.8, where repeats scatter least, by 4 %; the
+plateau after it; and the rms difference from the median from T = 2.6 on (earlier, the pressure rises, and the band of
+the repeats is one of time). Time counts from the instant at which the pressure first reaches 0.3, as in the source,
+because a gate that opens in 0.1 s delays the impact. The uncertainty is the band of the repeats. The case accepts
+external results, and the same claims score weakly compressible SPH in the longer tiers.
 
-**Our model.** Water with its viscosity, 8.9e-7 m²/s, density diffusion, walls that take their pressure from the water,
-Wendland kernel of $h = 2\,dx$. With `--set nu0=2e-4`, the eddy viscosity $\kappa u_* d/6$ of a boundary layer that
-fills the water at the wall at $T = 3$, used in the whole tank, the plateau sinks to the measured one: a statement about
-that closure, not about the model.
+**Model set-up.** Water viscosity, 8.9e-7 m²/s, density diffusion, wall pressure extrapolated from the water, Wendland
+kernel of $h = 2\,dx$. With `--set nu0=2e-4`, the eddy viscosity $\kappa u_* d/6$ of a boundary layer filling the depth
+at the wall at $T = 3$, applied in the whole tank, the plateau falls to the measured one: a statement on that closure,
+not on the model.
 
-**What to look at.** The median of single peaks that come at different times is lower than each of them: no peak is
-asked for. Average a computed pressure over 5 ms and over the sensor's face of 4 mm. Shallow water without friction has
-the head $(u^2/2g + d)/H$ = 0.99 to 0.79 at the wall for $T$ from 3.4 to 5.4, where 0.6 was measured.
+**What to look at.** The median of peaks at different times is lower than each of them; peaks are not scored. Average a
+computed pressure over 5 ms and over the sensor's face of 4 mm. Shallow water without friction has the head $(u^2/2g +
+d)/H$ = 0.99 to 0.79 at the wall for $T$ from 3.4 to 5.4; the measured value is 0.6.
 */
 #include <cmath>
 #include <utility>
@@ -94,18 +94,18 @@ Experiment experiment(const Values& values) {
           .order = 1,
           .coarsenings = {1, 1.5, 2},
           .miss =
-              "cause unknown: the water keeps the head that shallow water without friction has, 0.8 to 1, where 0.6 "
-              "was measured"};
+              "cause unknown: the computed head is that of shallow water without friction, 0.8 to 1, compared with 0.6 "
+              "measured"};
 }
 
 }  // namespace
 
 void dam_break_wall_pressure(Case& c) {
-  c.title = "Pressure of a broken dam on a wall, with its repeats";
+  c.title = "Pressure of a dam break on a wall, with repeats";
   c.source = source;
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = with({real("dx", {0.005, 0.005, 0.0025}, "m", {0.001, 0.02},
-                            "spacing of the particles, where the model computes; and 1.5 and 2 times it")},
+                            "particle spacing, for the model run; also 1.5 and 2 times that")},
                       sph_parameters({.kernel = std::string("wendland_c2"),
                                       .smoothing = 2.0,
                                       .viscosity = "laminar",

@@ -1,14 +1,15 @@
 /*
-Regular waves of 1 s are focused by an elliptic shoal on a slope (Berkhoff, Booij and Radder).
+An elliptic shoal on a slope focuses regular waves of 1 s (Berkhoff, Booij and Radder 1982).
 
-**What is compared.** Amplitude over the incident one along eight sections: the largest, where it is, and the root
-mean square difference. The case scores others, and in the full tier the 2DH model with improved dispersion is scored
-by the same claims: a paddle at x = -10 m, the depth cut at 0.1 m, and a layer beyond 11 m in which waves are absorbed;
-of 32 periods the last four are compared. The source has the last five to ten of 40: the lattice tangles beside a side
-wall after 33.8 periods.
+**What is compared.** Amplitude over the incident amplitude along eight sections: maximum, its position, and the rms
+difference. The case accepts external results, and in the full tier the same claims score the 2DH model with improved
+dispersion: a paddle at x = -10 m, a minimum depth of 0.1 m, and an absorbing layer beyond 11 m; the last four of 32
+periods are compared. The source uses the last five to ten of 40; the mesh tangles beside a side wall after 33.8
+periods.
 
-**What to look at.** The focus lies on the shallower side, y < 0: a result of another handedness is mirrored. Linear
-theory has the pattern right and the peaks behind the focus a tenth too high; the waves are steep enough for that.
+**What to look at.** The focus lies on the shallower side, y < 0: a result with the opposite orientation is mirrored.
+Linear theory reproduces the pattern, with peaks behind the focus 10 % too high; the waves are steep enough for that
+difference.
 */
 #include <algorithm>
 #include <cmath>
@@ -101,8 +102,8 @@ Experiment experiment(const Values& values) {
           .model = basin_model,
           .coarsenings = {1, 1.5, 2},
           .miss =
-              "cause unknown: waves of y = 0 are a tenth higher than measured over the shoal and a tenth "
-              "lower four metres behind the focus"};
+              "cause unknown: the computed amplitude on y = 0 is 10 % above the measured one over the shoal and 10 % "
+              "below it 4 m behind the focus"};
 }
 
 }  // namespace
@@ -111,7 +112,7 @@ void elliptic_shoal(Case& c) {
   c.title = "Regular waves on an elliptic shoal";
   c.source = source;
   c.tiers = {Tier::quick, Tier::full};
-  c.parameters = {real("spacing", 0.07, "m", {0.07, 0.1}, "of the columns, where the model computes")};
+  c.parameters = {real("spacing", 0.07, "m", {0.07, 0.1}, "column width, for the model run")};
   set_laboratory<experiment>(c);
 }
 

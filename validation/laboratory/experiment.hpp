@@ -60,7 +60,7 @@ struct Experiment {
   std::vector<std::string> files = {};  ///< of reference_data, which say the geometry and what drives the flow
   /// Largest common factor, less 1, that may go unnoticed: a result is inconclusive where its uncertainty hides more.
   double ceiling = 0.2;
-  std::string ceiling_reason = "a result a fifth off is wrong for any use of such a measurement";
+  std::string ceiling_reason = "an error of 20 % is unacceptable for any use of such a measurement";
   /// A model of our own. @param coarsening  how much coarser than the parameters say
   std::function<Submitted(const Run&, double coarsening)> compute = {};
   std::string model = {};                       ///< its name

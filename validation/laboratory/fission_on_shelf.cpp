@@ -1,11 +1,11 @@
 /*
-A wave of 20 s runs up a shelf of 1:200 and splits into solitons (Matsuyama and others), in a flume of 205 m.
+A wave of 20 s runs up a 1:200 shelf and splits into solitons (Matsuyama and others 2007), in a flume of 205 m.
 
-**What is compared.** Surface elevation at six gauges: highest value of the first waves, when, and the root mean
-square difference. The clock is the wavemaker's, of which the carrier gives the law. The case scores others.
+**What is compared.** Surface elevation at six gauges: maximum of the first waves, its time, and the rms difference.
+Time counts from the start of the wavemaker, whose motion comes with the data. The case accepts external results.
 
-**What to look at.** The first soliton breaks near x = -31 m. Walls and bottom damp the solitons by some per cent over
-160 m: models without friction run high.
+**What to look at.** The first soliton breaks near x = -31 m. Walls and bed damp the solitons by some per cent over 160
+m; models without friction overestimate them.
 */
 #include "validation/laboratory/laboratory_case.hpp"
 
@@ -36,7 +36,7 @@ Experiment experiment(const Values& /*values*/) {
 }  // namespace
 
 void fission_on_shelf(Case& c) {
-  c.title = "A long wave splits into solitons on a shelf";
+  c.title = "Fission of a long wave into solitons on a shelf";
   c.source = source;
   set_laboratory<experiment>(c);
 }

@@ -1,14 +1,13 @@
 /*
-A dam of 0.15 m breaks over 0.038 m of water (Janosi and others). The water behind the gate pushes a jet up that
+A dam break of 0.15 m over 0.038 m of water (Janosi and others 2004). The water behind the gate ejects a jet that
 overturns.
 
-**What is compared.** The place of the front, where the surface first exceeds 0.055 m. One shift of time is fitted to
-the first four of the eight frames and reported: a gate that takes 0.1 s to clear the water delays the front. The other
-four are compared. The case scores others, and
-shallow water with a second-order finite-volume scheme is scored by the same claims; by particles of shallow water in
-`gated_dam_break_particles`, by weakly compressible SPH in `gated_dam_break_sph`.
+**What is compared.** The front position, where the surface first exceeds 0.055 m. One time shift is fitted to the first
+four of the eight frames and reported: a gate that clears the water in 0.1 s delays the front. The other four frames are
+compared. The case accepts external results, and the same claims score shallow water with a second-order finite-volume
+scheme, shallow-water particles in `gated_dam_break_particles`, and weakly compressible SPH in `gated_dam_break_sph`.
 
-**What to look at.** The front's speed. The level ahead is read off by up to 7 mm: heights are not asked for.
+**What to look at.** The front speed. The level ahead is read with an error of up to 7 mm; heights are not scored.
 */
 #include "validation/laboratory/gated_dam_break_experiment.hpp"
 #include "validation/laboratory/laboratory_case.hpp"
@@ -25,7 +24,7 @@ Experiment experiment(const Values& /*values*/) {
 }  // namespace
 
 void gated_dam_break(Case& c) {
-  c.title = "A dam breaks over water behind a gate";
+  c.title = "Dam break over water behind a gate";
   c.source = gated_dam_break_source;
   c.parameters = {real("cell", 0.005, "m", {0.0005, 0.02}, "size")};
   set_laboratory<experiment>(c);

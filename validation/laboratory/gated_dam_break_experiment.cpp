@@ -68,7 +68,7 @@ Experiment gated_dam_break_in_shallow_water(const std::string& scheme, const std
   one.model = model;
   one.order = 1;
   one.miss =
-      "shallow water makes one bore of what is a jet that runs ahead of it: the front falls behind by 3.3 cm in 0.6 s";
+      "shallow water has one bore instead of a jet running ahead of a bore: the front lags by 3.3 cm after 0.6 s";
   return one;
 }
 

@@ -1,13 +1,14 @@
 /*
-A dam breaks over water behind a gate (`gated_dam_break`), by the conservative particles of shallow water of Bogomolov,
-Zakharov and Zerkal.
+A dam break over water behind a gate (`gated_dam_break`), computed with the conservative shallow-water particles of
+Bogomolov, Zakharov and Zerkal.
 
-**Set-up.** Particles as wide as the parameter `cell` at the beginning, everywhere; the hand-over between neighbours of
-second order (H2). No gate: it is gone at once.
+**Set-up.** Particles of uniform initial width, the parameter `cell`; second-order hand-over between neighbours (H2).
+The gate vanishes at t = 0.
 
-**What is compared.** What `gated_dam_break` compares: the place of the front, on one fitted clock.
+**What is compared.** As in `gated_dam_break`: the front position, with one fitted time origin.
 
-**What to look at.** The same equations as there, so the same front to a millimetre: what both miss is not the scheme's.
+**What to look at.** The equations are the same as in `gated_dam_break`, and so is the front, to a millimetre: the
+common error comes from the equations, not from the schemes.
 */
 #include "validation/laboratory/gated_dam_break_experiment.hpp"
 #include "validation/laboratory/laboratory_case.hpp"
@@ -24,9 +25,9 @@ Experiment experiment(const Values& /*values*/) {
 }  // namespace
 
 void gated_dam_break_particles(Case& c) {
-  c.title = "A dam breaks over water behind a gate: shallow-water particles";
+  c.title = "Dam break over water behind a gate: shallow-water particles";
   c.source = gated_dam_break_source;
-  c.parameters = {real("cell", 0.005, "m", {0.0005, 0.02}, "width of a particle at the beginning")};
+  c.parameters = {real("cell", 0.005, "m", {0.0005, 0.02}, "initial particle width")};
   set_laboratory<experiment>(c);
   c.submission = {};  // others submit to gated_dam_break
 }

@@ -1,18 +1,18 @@
 /*
-A dam breaks over water behind a gate (`gated_dam_break`), by weakly compressible SPH: the one model of the suite that
-carries the jet, its fall and the air it shuts off.
+A dam break over water behind a gate (`gated_dam_break`), computed with weakly compressible SPH, the only model of the
+suite that represents the jet, its fall and the enclosed air.
 
-**Set-up.** Both waters in hydrostatic balance, the gate gone at once; a tank of 1.5 m, whose far end nothing reaches.
-Spacings of 0.15 m/40, 1.5 and twice that, of which the depth ahead has 10 to 5: 0.0375 m for 0.038; 0.15 m/25 in the
-tier `quick`. Cubic spline,
-$h = 1.3\,dx$, artificial viscosity $\alpha = 0.3$, XSPH, walls of dynamic particles, $c_0 = 10\sqrt{g H}$: as the
-publication has it for a collapsing column (`dam_break_sph_front`).
+**Set-up.** Both waters in hydrostatic balance, the gate vanishes at t = 0; a tank of 1.5 m, whose far end has no
+effect. Spacings of 0.15 m/40, 1.5 and 2 times that, with 10 to 5 particles over the depth ahead: 0.0375 m instead of
+0.038; 0.15 m/25 in the tier `quick`. Cubic spline, $h = 1.3\,dx$, artificial viscosity $\alpha = 0.3$, XSPH, walls of
+dynamic particles, $c_0 = 10\sqrt{g H}$: the settings of the publication for a collapsing column
+(`dam_break_sph_front`).
 
-**What is compared.** What `gated_dam_break` compares: the place of the front, on one fitted clock. A front is where
-half of the volume is water, at 0.055 m or higher.
+**What is compared.** As in `gated_dam_break`: the front position, with one fitted time origin. The front is where the
+volume fraction of water is 0.5, at 0.055 m or higher.
 
-**What to look at.** The bore of shallow water has fallen behind by 3.3 cm after 0.6 s: here a jet runs ahead. How far
-depends on the artificial viscosity, with $\alpha = 0.1$ farther than with 0.3.
+**What to look at.** The bore of shallow water lags by 3.3 cm after 0.6 s; here a jet runs ahead of it, farther with
+$\alpha = 0.1$ than with 0.3.
 */
 #include <algorithm>
 #include <cmath>
@@ -84,9 +84,9 @@ Experiment experiment(const Values& values) {
   one.coarsenings = {1, 1.5, 2};
   if (values.tier() == Tier::quick) {
     one.miss =
-        "artificial viscosity, which goes with the spacing, holds the jet back: in 0.6 s the front falls behind by 4.7 "
-        "cm on spacings of 6 mm, by 3.8 cm on 3.75 mm, where that is within the uncertainty, and by 3.4 cm "
-        "on 6 mm with half of that viscosity";
+        "artificial viscosity, proportional to the spacing, retards the jet: after 0.6 s the front lags by 4.7 cm at a "
+        "spacing of 6 mm, by 3.8 cm at 3.75 mm, within the uncertainty there, and by 3.4 cm at 6 mm with half of that "
+        "viscosity";
   }
   return one;
 }
@@ -94,11 +94,11 @@ Experiment experiment(const Values& values) {
 }  // namespace
 
 void gated_dam_break_sph(Case& c) {
-  c.title = "A dam breaks over water behind a gate: weakly compressible SPH";
+  c.title = "Dam break over water behind a gate: weakly compressible SPH";
   c.source = gated_dam_break_source;
-  c.parameters = with(
-      {real("dx", {0.006, 0.00375, 0.00375}, "m", {0.001, 0.01}, "spacing of the particles; and 1.5 and 2 times it")},
-      sph_parameters({.alpha = 0.3}, "sqrt(g times the depth behind the gate)"));
+  c.parameters =
+      with({real("dx", {0.006, 0.00375, 0.00375}, "m", {0.001, 0.01}, "particle spacing; also 1.5 and 2 times that")},
+           sph_parameters({.alpha = 0.3}, "sqrt(g times the depth behind the gate)"));
   set_laboratory<experiment>(c);
   c.submission = {};  // others submit to gated_dam_break
 }

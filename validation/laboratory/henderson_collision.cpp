@@ -1,14 +1,14 @@
 /*
-Two solitary waves, 0.22 and 0.24 depths high, meet head on in 0.05 m of water (Hammack, Henderson and others).
+Two solitary waves, H/h = 0.22 and 0.24, collide head on in 0.05 m of water (Hammack, Henderson and others 2004).
 
-**What is compared.** Surface profiles before, during and after the collision: their root mean square difference, the
-highest elevation, and the places of both crests before and after, until they leave the window. The case scores others,
-and the one-dimensional dispersive model is scored by the same claims. It starts at t = 18.5 s from two solitary waves
-of Serre's equations, of the heights measured there.
+**What is compared.** Surface profiles before, during and after the collision: rms difference, maximum elevation, and
+positions of both crests before and after, while they are inside the window. The case accepts external results, and the
+same claims score the one-dimensional dispersive model. It starts at t = 18.5 s from two solitary waves of Serre's
+equations, of the heights measured then.
 
-**What to look at.** The highest elevation, 0.026 m, is 6 % above third-order theory (Su and Mirie 1980), and every
-computation stays below it; a meniscus at the crest is suggested. These frames are therefore taken to be known to 1.5
-mm.
+**What to look at.** The maximum elevation, 0.026 m, is 6 % above third-order theory (Su and Mirie 1980), and every
+computation stays below it; a meniscus at the crest is a possible cause. The standard uncertainty of these frames is
+therefore taken as 1.5 mm.
 */
 #include "validation/laboratory/laboratory_case.hpp"
 #include "validation/studies/dispersive_shallow_water/dispersive_flume.hpp"
@@ -53,7 +53,7 @@ Experiment experiment(const Values& /*values*/) {
               .abscissa = {"x", "m", "distance along the window"},
               .quantity = {"eta", "m", "surface elevation"},
               .input = 0.02,
-              .input_reason = "area of the profiles, which should not change: 2.2 %",
+              .input_reason = "variation of the area of the profiles, which should be constant: 2.2 %",
               .telling = 0.05};
   const Window window{0.1, 1.5};
   for (const double frame : frames) {
@@ -75,8 +75,8 @@ Experiment experiment(const Values& /*values*/) {
           .compute = compute,
           .model = "dispersive shallow water",
           .miss =
-              "the waves start with the heights and places that the literature uses, up to 7 mm and 2 % from the "
-              "frame at 18.5 s; viscosity, some per cent per metre in 0.05 m of water, does not lower them"};
+              "the initial wave heights and positions follow the literature, up to 7 mm and 2 % from the frame at 18.5 "
+              "s; viscous damping, some per cent per metre in 0.05 m of water, is not modelled"};
 }
 
 }  // namespace

@@ -1,17 +1,18 @@
 /*
-Irregular waves climb a slope of 1:20 and break (Mase and Kirby, run 2; spectral peak at 1 Hz).
+Irregular waves climb a 1:20 slope and break (Mase and Kirby 1992, run 2; spectral peak at 1 Hz).
 
-**What is compared.** Standard deviation, skewness and asymmetry of the elevation at all eleven gauges on the slope, of
-the whole record of 750 s; their standard errors follow from ten blocks. The case scores others, and in the full tier
-the one-dimensional dispersive model with breaking and improved dispersion is scored by the same claims. Drive the model
-with the record over 0.47 m of water, which the template names.
+**What is compared.** Standard deviation, skewness and asymmetry of the elevation at all eleven gauges on the slope,
+over the whole record of 750 s; ten blocks give their standard errors. The case accepts external results, and in the
+full tier the same claims score the one-dimensional dispersive model with breaking and improved dispersion. Drive your
+model with the record over 0.47 m of water, which the template names.
 
-**Set-up of our own.** A force along the bottom 4 m before the slope makes the record at its toe, in linear waves from
-0.2 to 2.2 Hz; what comes back or goes left is absorbed behind it. Breaking begins at a slope of 30 degrees and ends at
-a Froude number of 1.3; the flume is of glass. Nothing is fitted to the gauges on the slope.
+**Model set-up.** A body force along the bed 4 m before the slope generates the record at its toe, as linear waves from
+0.2 to 2.2 Hz; waves travelling back or to the left are absorbed behind it. Breaking begins at a slope of 30 degrees and
+stops at a Froude number of 1.3; the friction coefficient is the value for glass. No parameter is fitted to the gauges
+on the slope.
 
-**What to look at.** Where the waves break the standard deviation is right to 8 %. Skewness grows as the waves steepen
-and falls behind; asymmetry grows until the shore.
+**What to look at.** In the breaking zone the standard deviation agrees within 8 %. Skewness grows as the waves steepen
+and then falls; asymmetry grows up to the shore.
 */
 #include <cmath>
 #include <filesystem>
@@ -113,23 +114,23 @@ Experiment experiment(const Values& values) {
       .source = source,
       .parts = {statistic("std", {"std", "m", "standard deviation of the elevation"}),
                 statistic("skewness", {"skewness", "1", "skewness of the elevation"}),
-                statistic("asymmetry", {"asymmetry", "1", "asymmetry: less the skewness of the Hilbert transform"})},
+                statistic("asymmetry", {"asymmetry", "1", "asymmetry: minus the skewness of the Hilbert transform"})},
       .files = {"mase_kirby_1992_irregular_slope/incident.csv", "mase_kirby_1992_irregular_slope/bed.csv"},
       .compute = values.tier() == Tier::quick ? nullptr : compute,
       .model = "dispersive shallow water with breaking, improved dispersion",
       .coarsenings = {1, 1.5, 2},
       .miss =
-          "28 % of the record, above 1.2 Hz, is too short for the model at the toe, k h above 2.8, where its waves "
-          "carry their energy 15 to 80 % too fast and grow on the slope like longer ones: driven up to 2.2 Hz even "
-          "very small waves come to 0.35 m of water 5 % higher than at the toe, up to 1.6 Hz 2 %; and the viscosity "
-          "that leaves no waves behind a bore smears fronts: with 0.3 of it the asymmetry near the shore is half as "
-          "large again, and the waves are then a fifth too high"};
+          "28 % of the record, above 1.2 Hz, is too short for the model at the toe, k h above 2.8, where its group "
+          "velocity is 15 to 80 % too high and waves grow on the slope like longer ones: driven up to 2.2 Hz even very "
+          "small waves are 5 % higher in 0.35 m of water than at the toe, up to 1.6 Hz 2 %; and the viscosity that "
+          "leaves no waves behind a bore smears fronts: with 0.3 of it the asymmetry near the shore is half as large "
+          "again, and the waves are then 20 % too high"};
 }
 
 }  // namespace
 
 void irregular_waves_slope(Case& c) {
-  c.title = "Irregular waves shoal and break on a slope";
+  c.title = "Shoaling and breaking of irregular waves on a slope";
   c.source = source;
   c.parameters = {real("spacing", 0.025, "m", {0.01, 0.1}, "of the markers"),
                   real("duration", 749.95, "s", {10, 749.95}, "that is recorded")};

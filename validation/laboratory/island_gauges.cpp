@@ -1,19 +1,18 @@
 /*
-A solitary wave around a conical island in 0.32 m of water (Briggs and others; NTHMP benchmark problem 6): waves A, B
-and C, 0.0445, 0.0872 and 0.179 depths high.
+A solitary wave around a conical island in 0.32 m of water (Briggs and others 1995; NTHMP benchmark problem 6): waves A,
+B and C, H/h = 0.0445, 0.0872 and 0.179.
 
-**What is compared.** Surface elevation at four gauges around the island: highest value, when, and the root mean square
-difference, which is compared at the four gauges before the island too; run-up around the island. Levels before arrival
-are removed, and one shift of time is fitted at gauge 3, before the island. Compared is what comes until 36 s (A) and
-35 s (B, C), when the source says the absorbers are felt; at gauge 22, behind the island, where the crests of A and B
-come later than that, until a second after them. The case scores others; the 2DH model, on the rezoned lattice of
-`conical_island`, is scored by the same claims in the tier `full`, from solitary waves whose heights, 0.0445, 0.0872 and
-0.179 depths, are the mean of gauges 1 to 4. Heights there are shown and not scored. A gauge that falls dry reads the
-bottom.
+**What is compared.** Surface elevation at four gauges around the island: maximum, its time, and the rms difference,
+which is compared at the four gauges before the island too; run-up around the island. Levels before arrival are removed,
+and one time shift is fitted at gauge 3, before the island. Records count until 36 s (A) and 35 s (B, C), when
+reflections from the absorbers arrive according to the source; at gauge 22, behind the island, where the crests of A and
+B arrive later, until one second after them. The case accepts external results; in the tier `full` the same claims score
+the 2DH model, on the rezoned mesh of `conical_island`, from solitary waves whose heights, H/h = 0.0445, 0.0872 and
+0.179, are the mean of gauges 1 to 4. Wave heights there are shown and not scored. A gauge that falls dry reads the bed.
 
-**What to look at.** Two distributions of the same run-up differ by up to 1.9. The run-up may lie anywhere between
-them: their middle is asked for, with half of their distance over $\sqrt3$ as an uncertainty. The stated height of B is
-0.096 depths; the records show 0.087. See `--set wave=B` and `--set wave=C`, which breaks.
+**What to look at.** Two published versions of the same run-up differ by a factor of up to 1.88. The reference is their
+mean, with half of their difference over $\sqrt3$ as standard uncertainty. The stated height of B is H/h = 0.096; the
+records show 0.087. See `--set wave=B` and `--set wave=C`, which breaks.
 */
 #include <array>
 #include <cmath>
@@ -135,12 +134,10 @@ Experiment experiment(const Values& values) {
       .compute = values.tier() == Tier::quick ? nullptr : compute,
       .model = "dispersive shallow water, 2DH",
       .coarsenings = {1, 1.5, 2},
-      .miss =
-          wave.letter < 3
-              ? "behind its crest the wave of the experiment is no solitary wave: the surface at gauges 1 to 4 falls "
-                "below its level and stays there, where the model has what the island sends back"
-              : "the wave breaks on the island: the model's roller takes less from it than the experiment's bore "
-                "lost"};
+      .miss = wave.letter < 3
+                  ? "behind its crest the experimental wave is not a solitary wave: the surface at gauges 1 to 4 falls "
+                    "below the still-water level and stays there, while the model shows the reflection from the island"
+                  : "the wave breaks on the island: the model dissipates less energy than the bore of the experiment"};
 }
 
 }  // namespace
@@ -150,8 +147,8 @@ void island_gauges(Case& c) {
   c.source = source;
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = {
-      choice("wave", "A", {"A", "B", "C"}, "the wave: 0.0445, 0.0872 or 0.179 depths high"),
-      real("spacing", 0.25, "m", {0.2, 0.5}, "of the columns along the walls of the basin, where the model computes")};
+      choice("wave", "A", {"A", "B", "C"}, "the wave: H/h = 0.0445 (A), 0.0872 (B) or 0.179 (C)"),
+      real("spacing", 0.25, "m", {0.2, 0.5}, "column width along the walls of the basin, for the model run")};
   set_laboratory<experiment>(c);
 }
 

@@ -1,12 +1,12 @@
 /*
-Water of a dam that breaks through a gap runs over a thin layer of water against a building that stands obliquely
-(Soares-Frazao and Zech).
+Water of a dam break through a gap runs over a thin layer of water against an oblique building (Soares-Frazao and Zech
+2007).
 
-**What is compared.** Depth at six gauges: when the water comes, and means over two seconds; means of the velocity
-along the channel at five. The case scores others.
+**What is compared.** Depth at six gauges: arrival time and means over two seconds; mean velocity along the channel at
+five gauges. The case accepts external results.
 
-**What to look at.** Gauges near a shock, 2 and 5, tell friction and cells apart more than models. The gauges read 0
-where 0.02 m of water stands.
+**What to look at.** Gauges 2 and 5, near a bore, discriminate between friction values and resolutions more than between
+models. The gauges read 0 at the initial water layer of 0.02 m.
 */
 #include "validation/laboratory/laboratory_case.hpp"
 
@@ -47,7 +47,7 @@ Experiment experiment(const Values& /*values*/) {
 }  // namespace
 
 void isolated_building(Case& c) {
-  c.title = "A broken dam against an oblique building";
+  c.title = "Dam break against an oblique building";
   c.source = source;
   set_laboratory<experiment>(c);
 }

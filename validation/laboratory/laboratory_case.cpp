@@ -144,8 +144,9 @@ void draw(const Series& part, const std::vector<Measured>& data, const Computed&
 
 void claim_experiment(const Experiment& experiment, const Values& values, const Claims<Computed>& claims) {
   const auto data = claims.from(experiment.source).at("the data");
-  data.check("resolves", fmt::format("A common factor of {:g} on all readings is detected.", 1 + experiment.ceiling),
-             "smallest common factor that is detected, less 1", &Computed::noticed,
+  data.check("resolves",
+             fmt::format("A common factor of {:g} on all readings is detected as wrong.", 1 + experiment.ceiling),
+             "smallest detected common factor, minus 1", &Computed::noticed,
              Bound{.limit = experiment.ceiling, .reason = experiment.ceiling_reason});
   const boost::math::binomial_distribution<double> perfect(draws, 0.05);
   data.check("perfect-solver",

@@ -26,18 +26,23 @@ const BarWave wave_a{"luth_1994_bar_a",
                      28,
                      1,
                      0.08,
-                     "the amplitude is 0.0108 m at the two gauges before the bar and nominally 0.0100 m"};
+                     "the amplitude is 0.0108 m at the two gauges before the bar, 0.0100 m nominally"};
 // The front comes to the bar at 0.9 m/s, what is set free there at 12 to 14 m goes on with 0.4 m/s.
-const BarWave wave_c{
-    "luth_1994_bar_c", 1.01, 0.0206, 40, 3, 0.03, "bar and beach reflect, as in the same test at twice the scale"};
+const BarWave wave_c{"luth_1994_bar_c",
+                     1.01,
+                     0.0206,
+                     40,
+                     3,
+                     0.03,
+                     "reflection from bar and beach, as in the same test at twice the scale"};
 
 const std::string long_miss =
-    "the harmonics that were measured carry 31 to 36 % less energy behind the bar than before it, by Airy's group "
-    "velocities; this model loses none, its waves stay higher, and the first harmonic runs up to 0.1 s ahead";
+    "the energy flux of the measured harmonics is 31 to 36 % lower behind the bar than before it, by Airy's group "
+    "velocities; this model is energy-conserving, its waves are higher, and the first harmonic leads by up to 0.1 s";
 const std::string short_miss =
-    "waves of k h = 1.7 are 1 % too slow here, 0.05 s at the foot of the bar; the second harmonic runs free behind it "
-    "with k h = 6.4, where they are 1.12 times too fast; and the harmonics that were measured carry 19 to 36 % less "
-    "energy behind the bar than before it, by Airy's group velocities, while this model loses none";
+    "the celerity at k h = 1.7 is 1 % too low, a lag of 0.05 s at the foot of the bar; the free second harmonic behind "
+    "the bar has k h = 6.4, where the celerity is 12 % too high; and the energy flux of the measured harmonics is 19 "
+    "to 36 % lower behind the bar than before it, by Airy's group velocities, while this model is energy-conserving";
 
 Submitted compute(const BarWave& wave, const Run& run, double coarsening) {
   const double spacing = coarsening * run.real("spacing");

@@ -1,16 +1,16 @@
 /*
-Short waves over a submerged bar, case C of `luth_bar`: 1.01 s in 0.4 m of water, $kh$ = 1.7, 0.041 m high.
+Short waves over a submerged bar, case C of `luth_bar`: period 1.01 s in 0.4 m of water, $kh$ = 1.7, height 0.041 m.
 
 **Set-up.** The one-dimensional dispersive model with improved dispersion, from waves of the height measured before the
-bar. Gauges read the water's surface $\zeta$, which is more than the markers' own elevation where waves are short: the
-second harmonic that runs free behind the bar has $kh$ = 6.4 there.
+bar. Gauges read the free surface $\zeta$, which exceeds the elevation of the model's nodes for short waves: the free
+second harmonic behind the bar has $kh$ = 6.4.
 
-**What is compared.** What `luth_bar` compares, over three periods.
+**What is compared.** As in `luth_bar`, over three periods.
 
-**What to look at.** The law of the model is Airy's to 1 % at $kh$ = 1.7. At $kh$ = 6.4 its waves run an eighth too fast
-and their energy half as fast again as it should: behind the bar, where two harmonics beat, it is late or early by what
-that makes of the way. With `dispersion=improved`, Airy's to the fourth order of $kh$, the misfits there are one and
-a half to four times as large.
+**What to look at.** The celerity of the model agrees with Airy's within 1 % at $kh$ = 1.7. At $kh$ = 6.4 its celerity
+is an eighth too high and its group velocity half as large again as it should be: behind the bar, where two harmonics
+beat, the phase error grows with the distance. With `dispersion=improved`, Airy's relation to fourth order in $kh$, the
+misfits there are 1.5 to 4 times as large.
 */
 #include "validation/laboratory/laboratory_case.hpp"
 #include "validation/laboratory/luth_bar_experiment.hpp"

@@ -1,13 +1,12 @@
 /*
-The tsunami of 1993 in the valley of Monai, in a model 1:400 (Matsuyama and Tanaka; NTHMP benchmark problem 7).
+The tsunami of 1993 in the valley of Monai, in a 1:400 model (Matsuyama and Tanaka 2001; NTHMP benchmark problem 7).
 
-**What is compared.** Surface elevation at three gauges: highest value, when, and the root mean square difference;
-highest run-up at three places, of which there are six runs. The level just before arrival is removed. The case scores
-others. The set-up is in the files that the template names: bathymetry, and the elevation at x = 0 that drives the
-flow.
+**What is compared.** Surface elevation at three gauges: maximum, its time, and the rms difference; maximum run-up at
+three positions, from six repeats. The level just before arrival is removed. The case accepts external results. The
+template names the files of the set-up: bathymetry, and the elevation at x = 0 that drives the flow.
 
-**What to look at.** The gauges were not at rest before the wave: 2 mm. Runs of the same wave differ by 4 to 10 % in
-run-up.
+**What to look at.** Levels at the gauges deviated by 2 mm before the wave arrived. Run-up differs by 4 to 10 % between
+repeats of the same wave.
 */
 #include "validation/laboratory/laboratory_case.hpp"
 

@@ -1,16 +1,15 @@
 /*
-Solitary waves on a plane beach 1 : 19.85 (Synolakis; NTHMP benchmark problem 4): one of 0.0185 depths, which does not
-break, and one of 0.3, which does.
+Solitary waves on a 1:19.85 plane beach (Synolakis 1987; NTHMP benchmark problem 4): a non-breaking one, H/h = 0.0185,
+and a breaking one, 0.3.
 
-**What is compared.** The surface at four or five instants: root mean square difference, and how high the crest is at
-the first two, more than a depth off the shore; the maximum run-up. Lengths in depths $d$, times in $\sqrt{d/g}$ since
-the crest was $\operatorname{arccosh}(\sqrt{20})/\sqrt{3A/4}$ before the toe of the beach at $x = 19.85$; $x$ from the
-shoreline at rest, positive offshore. Where it is dry the surface is the beach, $-x/19.85$. The case scores others; our
-model is evaluated in `synolakis_beach`.
+**What is compared.** The surface at four or five instants: rms difference, and crest elevation at the first two, more
+than a depth off the shore; the maximum run-up. Lengths are over the depth $d$, times over $\sqrt{d/g}$ since the crest
+was $\operatorname{arccosh}(\sqrt{20})/\sqrt{3A/4}$ before the toe of the beach at $x = 19.85$; $x$ from the still-water
+shoreline, positive offshore. Where the beach is dry the surface is the beach, $-x/19.85$. The case accepts external
+results; the suite's model is evaluated in `synolakis_beach`.
 
-**What to look at.** Flow without friction and surface tension climbs 15 % higher than the smaller wave did in the
-laboratory: the measured run-up needs either. The exact solution for the smaller wave is asked for in
-`synolakis_beach`.
+**What to look at.** Run-up without friction and surface tension is 15 % above the measurement for the smaller wave: the
+measured run-up needs either. The exact solution for the smaller wave is the reference in `synolakis_beach`.
 */
 #include "validation/case/literature.hpp"
 #include "validation/laboratory/laboratory_case.hpp"
@@ -45,7 +44,7 @@ Experiment experiment(const Values& values) {
                   .abscissa = {"x_over_d", "1", "distance from the shoreline at rest, positive offshore"},
                   .quantity = {"eta_over_d", "1", "surface elevation (the beach where dry)"},
                   .input = wave.input,
-                  .input_reason = "half a thousandth of a depth in the height of the wave"};
+                  .input_reason = "0.0005 depths in the wave height"};
   for (const double t : wave.instants) profiles.readings.push_back(misfit(t, {}));
   // Off the shore, where the beach that stands for a dry surface lies below the water.
   for (const double t : wave.with_crest) profiles.readings.push_back(highest(t, {1, 20}));
@@ -56,7 +55,7 @@ Experiment experiment(const Values& values) {
                .quantity = {"R_over_d", "1", "maximum run-up"},
                .rows = {{"A_over_d", wave.run_up_amplitude}},
                .input = wave.run_up_input,
-               .input_reason = "half a thousandth of the wave's height, by the run-up laws",
+               .input_reason = "0.05 % of the wave height, by the run-up laws",
                .readings = {at(0, wave.run_up_amplitude, Kind::run_up)}};
   return {.source = source, .parts = {profiles, runup}};
 }
@@ -66,7 +65,7 @@ Experiment experiment(const Values& values) {
 void plane_beach(Case& c) {
   c.title = "Solitary waves on a plane beach 1 : 19.85: surfaces and run-up";
   c.source = source;
-  c.parameters = {choice("wave", "0.0185", {"0.0185", "0.3"}, "height of the wave in depths")};
+  c.parameters = {choice("wave", "0.0185", {"0.0185", "0.3"}, "wave height over depth, H/h")};
   set_laboratory<experiment>(c);
 }
 

@@ -189,7 +189,7 @@ Reading height(double group, Window window) {
 Reading when_highest(double group, Window window, Kind kind) {
   return {.id = "when",
           .kind = kind,
-          .words = kind == Kind::place ? "where it is highest" : "when it is highest",
+          .words = kind == Kind::place ? "position of the maximum" : "time of the maximum",
           .group = group,
           .window = window,
           .read = place_of_largest,

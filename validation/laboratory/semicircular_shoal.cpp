@@ -1,13 +1,13 @@
 /*
-Regular waves are focused by a semicircular shoal in a tank (Whalin): periods of 1, 2 and 3 s.
+A semicircular shoal focuses regular waves in a tank (Whalin 1971): periods of 1, 2 and 3 s.
 
-**What is compared.** Amplitudes of the harmonics of the elevation along the centre line: the largest, where it is,
-and the root mean square difference from 5 to 23 m. The case scores others, and the 2DH model with improved dispersion
-is scored by the same claims: half of the tank, a paddle at x = 0, and a layer beyond 25 m in which waves are absorbed.
+**What is compared.** Amplitudes of the harmonics of the elevation along the centre line: maximum, its position, and the
+rms difference from 5 to 23 m. The case accepts external results, and the same claims score the 2DH model with improved
+dispersion: half of the tank, a paddle at x = 0, and an absorbing layer beyond 25 m.
 
-**What to look at.** The amplitude of the incident wave is itself uncertain by a tenth: the first harmonic before the
-shoal is 14 % above, 6 % below and 10 % above the nominal one. The second harmonic of 3 s still grows at the last point
-that was measured: where it is highest is not asked for. Waves of 1 s need good linear dispersion, $kh$ = 1.9.
+**What to look at.** The amplitude of the incident wave is itself uncertain by 10 %: the first harmonic before the shoal
+is 14 % above, 6 % below and 10 % above the nominal one. The second harmonic of 3 s still grows at the last measured
+point; the position of its maximum is not scored. Waves of 1 s, $kh$ = 1.9, need accurate linear dispersion.
 */
 #include <algorithm>
 #include <cmath>
@@ -100,7 +100,7 @@ Experiment experiment(const Values& values) {
           .parts = {part},
           .files = {"whalin_1971_semicircular_shoal/bathymetry.asc"},
           .ceiling = 0.3,
-          .ceiling_reason = "the incident amplitude is known to a tenth, and the case says so in its title",
+          .ceiling_reason = "uncertainty of the incident amplitude, 10 %, as stated in the title",
           .compute = values.tier() == Tier::quick ? nullptr : compute,
           .model = basin_model,
           .coarsenings = {1, 1.5, 2}};
@@ -112,7 +112,7 @@ void semicircular_shoal(Case& c) {
   c.title = "Regular waves on a semicircular shoal, incident amplitude known to 10 %";
   c.source = source;
   c.parameters = {integer("period", {2, 1, 3}, {1, 3}, "of the waves [s]"),
-                  real("spacing", 0.06, "m", {0.05, 0.15}, "of the columns, where the model computes")};
+                  real("spacing", 0.06, "m", {0.05, 0.15}, "column width, for the model run")};
   set_laboratory<experiment>(c);
 }
 

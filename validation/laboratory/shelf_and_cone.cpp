@@ -1,13 +1,13 @@
 /*
-A solitary wave, half a depth high, breaks on a triangular shelf on which a conical island stands (Lynett and others;
-NTHMP currents problem 5).
+A solitary wave of H/h = 0.5 breaks on a triangular shelf with a conical island (Lynett and others 2019; NTHMP currents
+problem 5).
 
-**What is compared.** Surface elevation at nine gauges: highest value and the root mean square difference; velocity
-along the wave's direction at three probes, with the standard deviation of the repeats. One shift of time is fitted at
-gauge 1. The case scores others.
+**What is compared.** Surface elevation at nine gauges: maximum and rms difference; velocity in the wave direction at
+three probes, with the standard deviation of the repeats. One time shift is fitted at gauge 1. The case accepts external
+results.
 
-**What to look at.** Velocities across, which the symmetry of the set-up forbids on its axis, are not zero there in
-the experiment, and are not asked for.
+**What to look at.** Transverse velocities, zero on the axis by symmetry, are not zero there in the experiment, and are
+not scored.
 */
 #include "validation/laboratory/laboratory_case.hpp"
 

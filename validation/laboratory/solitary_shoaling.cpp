@@ -1,13 +1,13 @@
 /*
-A solitary wave, a fifth of the depth high, climbs a slope of 1:34.7 until its front is vertical (Grilli and others).
+A solitary wave of H/h = 0.2 climbs a 1:34.7 slope until its front is vertical (Grilli and others 1994).
 
-**What is compared.** The elevation at six gauges: highest value, when, and the root mean square difference within 1.5
-of the crest in T. The crest passes the gauge before the slope at T = 13.64, in the measured points and by one shift of
-time in what is computed. That is known to 0.1 against the other gauges: the paper says 13.56, the best fit 13.75. The
-case scores others, and the one-dimensional dispersive model is scored by the same claims, from a solitary wave of the
+**What is compared.** The elevation at six gauges: maximum, its time, and the rms difference within 1.5 of the crest in
+T. The crest passes the gauge before the slope at T = 13.64, in the measured points and, by one time shift, in the
+computation. Against the other gauges that time is known to 0.1: the paper states 13.56, the best fit is 13.75. The case
+accepts external results, and the same claims score the one-dimensional dispersive model, from a solitary wave of the
 stated height, without friction, which the source calls negligible.
 
-**What to look at.** The last gauge is where the wave breaks, and long-wave models are too high there.
+**What to look at.** The last gauge, in the breaking zone, where long-wave models overestimate the elevation.
 */
 #include <cmath>
 
@@ -67,7 +67,7 @@ Experiment experiment(const Values& /*values*/) {
 }  // namespace
 
 void solitary_shoaling(Case& c) {
-  c.title = "A solitary wave shoals until it breaks";
+  c.title = "Shoaling of a solitary wave until breaking";
   c.source = source;
   c.parameters = {real("spacing", 0.1, "depth", {0.02, 0.4}, "of the markers")};
   set_laboratory<experiment>(c);

@@ -1,15 +1,15 @@
 /*
-A bore of small height over still water trails waves, Favre's waves. Their first crest is twice as high as the bore or
-higher, until it breaks at a Froude number of about 1.21.
+A low bore over still water trails waves, Favre waves. Their first crest is at least twice as high as the bore, until it
+breaks at a Froude number of about 1.21.
 
-**What is compared.** The height of the first crest over the still depth, against the Froude number, with measurements
-of Favre (0.1 and 0.2 m of water) and Treske (0.16 m) up to a Froude number of 1.2. The case scores others. The
-one-dimensional dispersive model computes bores from a smooth step to 320 depths, as models are compared with these
-data in the literature, and is scored by the same claims. A crest is known to 0.01 by reading and to 0.003 in the Froude
-number; 1.11 and 1.15 are inside the range of all three series.
+**What is compared.** The height of the first crest over the still depth, as a function of the Froude number, with
+measurements of Favre (0.1 and 0.2 m of water) and Treske (0.16 m) up to a Froude number of 1.2. The case accepts
+external results. The same claims score the one-dimensional dispersive model, which computes bores from a smooth step to
+x/h = 320, as usual in the literature for these data. Reading uncertainties are 0.01 for a crest and 0.003 for the
+Froude number; 1.11 and 1.15 are inside the range of all three series.
 
-**What to look at.** The measured crests scatter by 10 to 30 % between depths: friction, capillarity and the distance
-they ran. The theory of modulated waves lets the first crest grow beyond twice the bore, slowly.
+**What to look at.** The measured crests scatter by 10 to 30 % between depths, with friction, capillarity and distance
+travelled. In the theory of modulated waves the first crest slowly grows beyond twice the bore height.
 */
 #include <algorithm>
 #include <cmath>

@@ -336,11 +336,11 @@ evidence::Claim claim_of(const Experiment& experiment) {
   return {"agreement",
           fmt::format("All readings of {} agree with the measurement within their combined uncertainty.",
                       fmt::join(parts, ", ")),
-          "common factor, less 1, as clear as what the readings differ by", "1", experiment.source};
+          "common factor, minus 1, equivalent to the differences of the readings", "1", experiment.source};
 }
 
 Uncertainty criterion_of(const Experiment& experiment, Amount data, Amount input, double coverage) {
-  std::string reason = "ASME V&V 20.1-2024, all readings at once: validation/laboratory/verdicts.hpp; u_data from";
+  std::string reason = "ASME V&V 20.1-2024, all readings together: validation/laboratory/verdicts.hpp; u_data from";
   for (const Series& part : experiment.parts) reason += fmt::format(" reference_data/{}", part.table);
   for (const Series& part : experiment.parts) {
     if (part.input > 0) {
@@ -356,12 +356,11 @@ Uncertainty criterion_of(const Experiment& experiment, Amount data, Amount input
 
 void show_readings(const std::vector<Question>& all, const Submitted& computed, const std::vector<double>& numerical,
                    const std::vector<double>& scores, const std::string& solver, evidence::Exhibit& exhibit) {
-  evidence::Table& table =
-      add_table(exhibit, "laboratory-readings", solver,
-                "What was measured and computed, with standard uncertainties, and their difference over "
-                "the combined one; arrivals are counted from the origin.",
-                {"quantity", "reading", "measured [1]", "u measured [1]", "computed [1]", "u computed [1]",
-                 "origin [1]", "E/u [1]"});
+  evidence::Table& table = add_table(exhibit, "laboratory-readings", solver,
+                                     "Measured and computed readings, with standard uncertainties, and their "
+                                     "difference over the combined uncertainty; arrivals count from the origin.",
+                                     {"quantity", "reading", "measured [1]", "u measured [1]", "computed [1]",
+                                      "u computed [1]", "origin [1]", "E/u [1]"});
   for (std::size_t k = 0; k < all.size(); ++k) {
     const Question& one = all[k];
     table.rows.push_back({name(one.reading().kind), one.id(), one.expected(),
@@ -403,15 +402,16 @@ void judge(const Experiment& experiment, const Values& values, const Submitted& 
     if (!asked) {
       const SubmittedGroup* given = group_of(submitted, one.part(), one.reading().group);
       const bool by_clock = given != nullptr && one.within(*given).has_value();
-      if (by_clock) open = ", the clock leaves readings out";
+      if (by_clock) open = ", readings outside the record on the measured clock";
       record.leave_out({{.id = one.id(),
                          .text = fmt::format("{}: {}", one.part().quantity.meaning, one.reading().words),
                          .quantity = one.reading().words,
                          .unit = one.unit(),
                          .source = experiment.source},
                         group == nullptr ? "no record was submitted"
-                        : by_clock       ? "on the measured clock the record does not hold it: submit a longer one"
-                                         : "the record does not hold it, or too few points of it"});
+                        : by_clock
+                            ? "the record does not contain the reading on the measured clock: submit a longer one"
+                            : "the record does not contain the reading, or too few points of it"});
       continue;
     }
     const std::optional<double> u = asked->stated(facts.uncertainty);

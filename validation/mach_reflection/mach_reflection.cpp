@@ -1,27 +1,27 @@
 /*
-A solitary wave meets a wall at an angle $\psi_i$ (Frank 1994, section 4.3). At large angles it is reflected as light
-is: the crests of incident and reflected wave cross at the wall. At small angles a third wave appears, the *Mach stem*.
-It stands upright on the wall, is higher than the two together, and grows longer for ever. Lengths are in depths, times
-in $\sqrt{\text{depth}/g}$.
+A solitary wave meets a wall at an angle $\psi_i$ (Frank 1994, section 4.3). At large angles reflection is regular: the
+crests of incident and reflected wave intersect at the wall. At small angles a third wave, the *Mach stem*, forms normal
+to the wall; its amplitude exceeds the sum of the other two, and its length grows indefinitely. Lengths are over the
+depth, times over $\sqrt{\text{depth}/g}$.
 
-For waves of small amplitude $a_i$ Miles (1977) found what happens in the end, with
-$\kappa = \psi_i/\sqrt{3a_i}$: for $\kappa < 1$ a stem of height $a_w = (1+\kappa)^2 a_i$ and a reflected wave of
-amplitude $a_r = \kappa^2 a_i$ at the angle $\psi_r = \sqrt{3a_i}$; for $\kappa > 1$ equal angles and amplitudes, and
-$a_w = 4a_i/(1 + \sqrt{1 - \kappa^{-2}})$. Li, Yeh and Kodama (2011) replace $\kappa$ by
-$\tan\psi_i/(\sqrt{3a_i}\cos\psi_i)$, which fits angles that are not small.
+For waves of small amplitude $a_i$ Miles (1977) found the final state as a function of $\kappa = \psi_i/\sqrt{3a_i}$:
+for $\kappa < 1$ a stem of amplitude $a_w = (1+\kappa)^2 a_i$ and a reflected wave of amplitude $a_r = \kappa^2 a_i$ at
+the angle $\psi_r = \sqrt{3a_i}$; for $\kappa > 1$ equal angles and amplitudes, and $a_w = 4a_i/(1 + \sqrt{1 -
+\kappa^{-2}})$. Li, Yeh and Kodama (2011) replace $\kappa$ by $\tan\psi_i/(\sqrt{3a_i}\cos\psi_i)$, which holds at
+larger angles.
 
-**Set-up.** The wall is $y = 0$. The water is a window that runs along with the crest. Serre's exact wave is let in at
-the north side, and crosses the window at the start as if there were no wall. `model`: `plan`, columns of water with
-markers on the surface, or `hexahedra`, layers of Lagrangian cells. Steps are half the spacing `h`.
+**Set-up.** The wall is $y = 0$. The domain is a window moving with the crest. Serre's exact wave enters through the
+north side, and initially crosses the window undisturbed. `model`: `plan`, water columns with nodes on the surface, or
+`hexahedra`, layers of Lagrangian cells. Steps are half the spacing `h`.
 
-**What is compared.** Amplitudes at the wall, of the incident and of the reflected wave, angles of the reflected wave
-and of the path of the stem's end. Two configurations: `angle`, and `second_angle` beyond the transition. Both on two or
-more lattices, whose differences give the numerical uncertainty. The theories are the reference.
+**What is compared.** Amplitudes at the wall, of the incident and of the reflected wave; angles of the reflected wave
+and of the path of the stem's end. Two configurations: `angle`, and `second_angle` beyond the transition, each on two or
+more grids, whose differences give the numerical uncertainty. The theories are the reference.
 
-**What to look at.** Miles's plain $\kappa$ is far too low for a wave of $a = 0.3$, the one for finite angles within a
-few per cent. The reflected angle is larger than the incident one, but not by as much as $\sqrt{3a_i}$. The ratio
-$a_w/a_i$ is taken with the measured $a_i$. Next to the transition the stem grows for a very long time: a result that
-grows by more than 1 % in the last fifth of the run is marked, and the limit of a fitted approach given instead.
+**What to look at.** Theory with Miles's plain $\kappa$ is far too low for $a = 0.3$, with the $\kappa$ for finite
+angles it agrees within a few per cent. The angle of reflection is larger than the angle of incidence, but smaller than
+$\sqrt{3a_i}$. The ratio $a_w/a_i$ uses the measured $a_i$. Near the transition the stem grows for a very long time: a
+run with a growth of more than 1 % in its last fifth is marked, and the limit of a fitted approach given instead.
 */
 #include <algorithm>
 #include <cmath>
@@ -151,17 +151,17 @@ void claim_theory(const Claims<Configuration>& claims, double angle, const Refle
   constexpr double cusp = 0.15;
   claims
       .only_if(std::abs(finite.kappa() - 1) >= cusp,
-               "the theory has a cusp at kappa = 1, within 0.15 of which it is not compared")
-      .only_if(long_enough(what), "the limit of a run that does not wait for its stem is not known")
+               "the theory has a cusp at kappa = 1 and is not compared within 0.15 of it")
+      .only_if(long_enough(what), "a run shorter than the settling time of its stem has no known limit")
       .check(
           "theory-" + id_of(angle),
-          fmt::format("At {:g} deg the amplitude at the wall agrees with the theory of small waves, with its parameter "
-                      "for finite angles.",
+          fmt::format("The amplitude at the wall at {:g} deg agrees with small-wave theory, with the parameter for "
+                      "finite angles.",
                       angle),
           "a_w/a_i for infinite time", [](const Configuration& one) { return one.finest().limit_ratio(); },
           Bound{.limit = finite.theory_uncertainty(),
-                .reason = "what it leaves out is of the order of the incident amplitude; not compared within 0.15 of "
-                          "kappa = 1, where it has a cusp",
+                .reason = "the neglected terms are of the order of the incident amplitude; not compared within 0.15 of "
+                          "kappa = 1, where the theory has a cusp",
                 .expected = finite.wall_ratio(),
                 .relative = true});
 }
@@ -169,16 +169,18 @@ void claim_theory(const Claims<Configuration>& claims, double angle, const Refle
 void claim_steady(const Claims<Configuration>& claims, double angle, const ReflectionRun& what) {
   claims
       .only_if(std::abs(what.kappa_finite_angle() - 1) > 0.25 && long_enough(what),
-               "next to kappa = 1, and in runs that do not wait for it, the stem still grows at the end")
+               "next to kappa = 1, and in runs shorter than the settling time, the stem still grows at the end")
       .from(source)
       .check(
-          "steady-" + id_of(angle), fmt::format("At {:g} deg the amplitude at the wall no longer grows.", angle),
+          "steady-" + id_of(angle),
+          fmt::format("The amplitude at the wall at {:g} deg is steady: its growth in the last fifth of the run is "
+                      "below the limit.",
+                      angle),
           "relative growth during the last fifth of the run",
           [](const Configuration& one) { return one.finest().limit.growth; },
           Bound{.limit = steady_growth,
-                .reason =
-                    "growing on like this, the amplitude would change by 5 % in as long again, which is less than "
-                    "what the theory leaves out"});
+                .reason = "at this rate the amplitude would change by 5 % in as long again, which is below the "
+                          "neglected terms of the theory"});
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
@@ -193,11 +195,12 @@ void claims(const Values& values, const Claims<Results>& claims) {
 
 void draw_surface(evidence::Exhibit& exhibit, const Configuration& one) {
   const Reflection& r = one.finest();
-  auto& plan = add_panel(exhibit, "surface-" + id_of(one.angle), fmt::format("The pattern at {:g} deg", one.angle),
-                         fmt::format("a_i = {:g}, {}; {}. x from the crest on the wall, y from the wall. Dots: "
-                                     "the crests that are measured; lines: fitted to them.",
-                                     r.run.amplitude, r.run.resolution(), r.growth_flag()),
-                         {.x = "x [depth]", .y = "y [depth]", .z = "elevation [depth]"});
+  auto& plan = add_panel(
+      exhibit, "surface-" + id_of(one.angle), fmt::format("The pattern at {:g} deg", one.angle),
+      fmt::format(
+          "a_i = {:g}, {}; {}. x from the crest on the wall, y from the wall. Dots: measured crests; lines: fits.",
+          r.run.amplitude, r.run.resolution(), r.growth_flag()),
+      {.x = "x [depth]", .y = "y [depth]", .z = "elevation [depth]"});
   plan.plan("elevation", r.surface.lattice());
   const auto crests = [&](const std::string& name, const std::vector<Crest>& found, const StraightLine& line) {
     const double wall = r.pattern.wall.x;
@@ -211,7 +214,7 @@ void draw_surface(evidence::Exhibit& exhibit, const Configuration& one) {
 
 void draw_history(evidence::Exhibit& exhibit, const std::vector<Configuration>& all) {
   auto& panel = add_panel(exhibit, "wall", "Amplitude at the wall",
-                          "Over the measured incident amplitude, on the finest lattice; dashed: the limit of an "
+                          "Over the measured incident amplitude, on the finest grid; dashed: the limit of an "
                           "exponential fitted to the last half.",
                           {.x = "t [sqrt(depth/g)]", .y = "a_w/a_i"});
   for (const Configuration& one : all) {
@@ -224,9 +227,9 @@ void draw_history(evidence::Exhibit& exhibit, const std::vector<Configuration>& 
 
 void tabulate(evidence::Exhibit& exhibit, const std::vector<Configuration>& all) {
   evidence::Table& table =
-      add_table(exhibit, "reflections", "What is measured, and what others have",
-                "Limit: for fine lattices; theories: for small waves after infinite time, with kappa of "
-                "Miles and for finite angles.",
+      add_table(exhibit, "reflections", "Measured values and references",
+                "Limit: for fine grids; theories: for small waves after infinite time, with Miles's kappa and with the "
+                "kappa for finite angles.",
                 {"angle [deg]", "quantity", "measured", "uncertainty", "limit", "Miles", "finite angles"});
   for (const Configuration& one : all) {
     const ReflectionRun& what = one.finest().run;
@@ -262,10 +265,10 @@ void mach_reflection(Case& c) {
   c.tiers = {Tier::quick, Tier::full, Tier::paper};
   c.parameters = {
       real("amplitude", 0.3, "depth", {0.01, 0.55}, "a_i of the incident wave"),
-      real("angle", 30.0, "deg", {5, 75}, "psi_i between the wave's direction and the wall"),
+      real("angle", 30.0, "deg", {5, 75}, "psi_i between wave direction and wall"),
       real("second_angle", 42.0, "deg", {0, 75}, "of a second configuration; 0 for none"),
-      real("h", {1, 0.5, 0.5}, "depth", {0.1, 1.5}, "spacing of the lattice at rest"),
-      real("time", 0.0, "sqrt(depth/g)", {0, 20000}, "how long; 0 for until the stem should have settled"),
+      real("h", {1, 0.5, 0.5}, "depth", {0.1, 1.5}, "initial grid spacing"),
+      real("time", 0.0, "sqrt(depth/g)", {0, 20000}, "length of the run; 0: the theoretical settling time of the stem"),
       choice("model", "plan", {"plan", "hexahedra"}, "water columns or layers of hexahedra"),
       integer("layers", 2, {1, 8}, "of hexahedra"),
   };

@@ -1,14 +1,14 @@
 /*
-What the height of a Mach stem owes to the lattice, the step, the window and the solver. A solitary wave, $a_i = 0.3$ of
-the depth, meets a wall at 30 degrees; its stem is still growing. Lengths are in depths, times in
-$\sqrt{\text{depth}/g}$. Set-up: `mach_reflection`, 2DH model.
+Sensitivity of the Mach-stem amplitude to grid, step, window and solver. A solitary wave of $a_i = 0.3$ meets a wall at
+30 degrees; its stem is still growing. Lengths are over the depth, times over $\sqrt{\text{depth}/g}$. Set-up:
+`mach_reflection`, 2DH model.
 
-**What is compared.** $a_w$ near the end. Five lattices, each finer by $\sqrt2$, with equal steps; five steps on equal
-lattices. If $a_w = a + b h^p$, then so are the differences of neighbours. Then a window twice as high and a solver a
-thousand times more accurate.
+**What is compared.** $a_w$ near the end. Five grids, refined by $\sqrt2$, at equal steps; five steps on equal grids. If
+$a_w = a + b h^p$, the differences between neighbours follow the same power. Then a window twice as high and a solver
+tolerance a thousand times smaller.
 
-**What to look at.** Wide cells make the stem too low, long steps too high. With steps of half the spacing, as in all
-cases of Mach reflection, the two nearly cancel: its error is then smaller than the error of either alone, and does not
+**What to look at.** Coarse cells underestimate the stem, long steps overestimate it. With steps of half the spacing, as
+in all cases of Mach reflection, the two errors nearly cancel: the remaining error is smaller than either, and does not
 follow a power of $h$.
 */
 #include <cmath>
@@ -61,11 +61,11 @@ double when(const Values& values) {
 
 void claim_order(const Claims<Ladder>& claims, const Ladder& ladder) {
   claims.check(
-      "order-" + ladder.id, fmt::format("The height of the stem converges with second order in the {}.", ladder.text),
+      "order-" + ladder.id, fmt::format("The stem amplitude converges at second order in the {}.", ladder.text),
       "observed order of the differences between neighbours",
       [](const Ladder& l) { return evidence::observed_order(l.coarser(), l.differences()); },
       Order{2, 0.5,
-            "the scheme's order; half an order for the coarsest, on which a stem is four to six spacings wide"});
+            "the scheme's order; half an order for the coarsest grid, on which a stem is four to six spacings wide"});
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
@@ -73,7 +73,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
   claim_order(claims.of(&Results::steps), Results{}.steps);
   const double steps = values.real("time") / usual_run(values).tau();
   claims.check(
-      "window", "With a window twice as high the stem is as high.", "difference of a_w/a_i",
+      "window", "The stem amplitude a_w/a_i in a window twice as high agrees with the reference run within 0.01.",
+      "difference of a_w/a_i",
       [](const Results& r) -> Measurement {
         const Measurement a = r.usual.wall_ratio();
         const Measurement b = r.window.wall_ratio();
@@ -82,14 +83,17 @@ void claims(const Values& values, const Claims<Results>& claims) {
                 .told = {.limit = std::hypot(a.half_width(), b.half_width())}};
       },
       Bound{.limit = Amount::told_by_run(0.03),
-            .reason = "the scatter of the incident amplitude along its crest, in both runs; a hundredth of a_w/a_i at "
-                      "most, about the error of the lattice"});
+            .reason = "the scatter of the incident amplitude along its crest, in both runs; 1 % of a_w/a_i at most, "
+                      "about the grid error"});
   claims.at([](const Results& r) { return r.solver.run.resolution(); })
       .check(
-          "solver", "With a solver with a tolerance of 1e-10 the stem is as high.", "difference of a_w/a_i",
+          "solver",
+          "The stem amplitude a_w/a_i with a solver tolerance of 1e-10 agrees with the one for 1e-7 within the solver "
+          "error.",
+          "difference of a_w/a_i",
           [](const Results& r) { return r.solver.wall_ratio().value - r.usual.wall_ratio().value; },
           Bound{.limit = 4 * tolerance * std::sqrt(steps),
-                .reason = "a_w/a_i, 4 at most, to the usual tolerance of 1e-7; errors of steps add like random ones"});
+                .reason = "a_w/a_i, 4 at most, to the usual tolerance of 1e-7; step errors add like random ones"});
 }
 
 Results compute(const Run& run) {
@@ -139,10 +143,10 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 }  // namespace
 
 void mach_reflection_convergence(Case& c) {
-  c.title = "Mach reflection: lattice, step, window and solver";
+  c.title = "Mach reflection: sensitivity to grid, step, window and solver";
   c.source = literature::frank + ", section 4.3";
   c.tiers = {Tier::full};
-  c.parameters = {real("time", {40, 120, 120}, "sqrt(depth/g)", {40, 1000}, "when the stem is measured")};
+  c.parameters = {real("time", {40, 120, 120}, "sqrt(depth/g)", {40, 1000}, "time at which the stem is measured")};
   c.study = Study(claims, compute, show, source);
 }
 

@@ -1,27 +1,26 @@
 /*
 Amplitudes and angles of solitary waves reflected by a wall, for four amplitudes $a_i$ and many angles $\psi_i$: figures
-7 and 8 of Frank (1994). Depth 1, $g = 1$. What the pattern looks like: cases `mach_reflection` and
-`mach_stem_growth`.
+7 and 8 of Frank (1994). Depth 1, $g = 1$. For the wave pattern see `mach_reflection` and `mach_stem_growth`.
 
 **Set-up.** As in `mach_reflection`, 2DH model. Spacings 0.5, 0.6, 0.9 and 1.25 for $a_i$ = 0.3, 0.186, 0.097 and 0.05,
-for low waves are long. A stem needs the time $3/(S^3\kappa|1-\kappa|)$, $S = \sqrt{3a_i}$, to reach its height (Kodama
-and Yeh 2016). A run covers four of them, after 250 width units $\sqrt{0.3/a_i}$ in which the pattern forms.
+because lower waves are longer. A stem reaches its height in the time $3/(S^3\kappa|1-\kappa|)$, $S = \sqrt{3a_i}$
+(Kodama and Yeh 2016). A run covers four of these times, after 250 width units $\sqrt{0.3/a_i}$ in which the pattern
+forms.
 
-**What is compared.** With Miles's (1977) theory for waves of small amplitude after infinite time, over his parameter
-$\kappa = \psi_i/\sqrt{3a_i}$ and over the one for finite angles, $\tan\psi_i/(\sqrt{3a_i}\cos\psi_i)$ (Li, Yeh and
-Kodama 2011). With what Frank, Tanaka (1993) and others state.
+**What is compared.** Miles's (1977) theory for waves of small amplitude after infinite time, as a function of his
+parameter $\kappa = \psi_i/\sqrt{3a_i}$ and of that for finite angles, $\tan\psi_i/(\sqrt{3a_i}\cos\psi_i)$ (Li, Yeh and
+Kodama 2011); the statements of Frank, Tanaka (1993) and others.
 
 **What to look at.** The amplitude at the wall peaks just below $\kappa = 1$ for finite angles, at 3.3 to 3.6 times the
-incident one for $a_i$ = 0.3 and 0.097, not at 4. There it grows for thousands of time units: such runs are marked, and
-their limits follow from a fitted exponential, with an uncertainty that reaches as far as the rate of growth of the
-theory allows; for $a_i$ = 0.186 and 0.05 it does not exclude 4. The transition from irregular to regular reflection
-follows
+incident one for $a_i$ = 0.3 and 0.097, not at 4. There the stem grows for thousands of time units: such runs are
+marked, and a fitted exponential gives their limits, with an uncertainty bounded by the theoretical growth rate; for
+$a_i$ = 0.186 and 0.05 it does not exclude 4. The transition from irregular to regular reflection follows
 $\tan\psi_i/\cos\psi_i = \sqrt{3a_i}$, far below Miles's $\psi_i = \sqrt{3a_i}$: the dash-dotted curve of Frank's figure
 8. The angle of reflection is not monotonic.
 
-Regular reflection gives back 0.955 to 0.97 of the incident amplitude on these lattices, not all of it. So Frank's
-criterion of regular reflection, $a_r \ge 0.95\,a_i$, is next to the plateau. On coarser lattices ($h = 1$ at
-$a_i = 0.3$) the plateau is lower; 0.99 of it is the criterion there, and no claim is made of the boundary.
+Regular reflection returns 0.955 to 0.97 of the incident amplitude on these grids, not all of it. Frank's criterion of
+regular reflection, $a_r \ge 0.95\,a_i$, is therefore next to the plateau. On coarser grids ($h = 1$ at $a_i = 0.3$) the
+plateau is lower; the criterion there is 0.99 of the plateau, and the boundary is not claimed.
 */
 #include <algorithm>
 #include <cmath>
@@ -118,13 +117,12 @@ Worst from_theory(const ReflectionSeries& series) {
 void claim_theory(const Claims<ReflectionSeries>& claims, const ReflectionSeries& series) {
   claims.where("{:g} deg")
       .from("Miles (1977); Li, Yeh and Kodama (2011)")
-      .check(
-          with("theory", series),
-          fmt::format("a = {:g}: a_w/a_i agrees with the theory of small waves over the parameter for finite angles, "
-                      "farther than {:g} from its cusp.",
-                      series.amplitude, cusp),
-          "largest relative difference of the limits for infinite time", from_theory,
-          Bound{.limit = series.amplitude, .reason = "what it leaves out is of the order of the amplitude"});
+      .check(with("theory", series),
+             fmt::format("The wall amplitude a_w/a_i for a = {:g} agrees with small-wave theory for finite angles, "
+                         "farther than {:g} from its cusp.",
+                         series.amplitude, cusp),
+             "largest relative difference of the limits for infinite time", from_theory,
+             Bound{.limit = series.amplitude, .reason = "the neglected terms are of the order of the amplitude"});
 }
 
 /// "35 deg, h = 1, tau = 0.5, t = 408, growth 1.4 %: not steady".
@@ -137,12 +135,12 @@ void claim_peak(const Claims<ReflectionSeries>& claims, const ReflectionSeries& 
   const Plan* plan = plan_of(series.amplitude);
   claims
       .only_if(plan && plan->limit_known,
-               "how high the highest stem becomes in the end is known well enough to tell 3.5 from 4 for a = 0.097 and "
-               "0.3 alone: elsewhere it still grows when the run ends")
+               "the limit of the highest stem separates 3.5 from 4 for a = 0.097 and 0.3 alone: elsewhere the stem "
+               "still grows at the end of the run")
       .check(
           with("peak", series),
-          fmt::format("a = {:g}: the largest a_w/a_i is near Frank's 3.5, not 4.", series.amplitude),
-          "highest a_w/a_i that was reached",
+          fmt::format("The largest a_w/a_i for a = {:g} agrees with Frank's 3.5 and excludes 4.", series.amplitude),
+          "highest a_w/a_i reached",
           [](const ReflectionSeries& s) -> Measurement {
             const Reflection& highest = s.highest();
             const Measurement limit = highest.limit_ratio();
@@ -151,19 +149,18 @@ void claim_peak(const Claims<ReflectionSeries>& claims, const ReflectionSeries& 
                     .uncertainty = std::hypot(limit.value - reached, limit.half_width()),
                     .resolution = state_of(highest)};
           },
-          Uncertainty{
-              .expected = frank,
-              .data = 0.05 * frank,
-              .useful = 0.3725,
-              .reason = "printed to two digits as about the largest value; ours: what the fitted approach to its limit "
-                        "adds, and the uncertainty of that. A value that passes, known to v, excludes 4 if hypot(0.35, "
-                        "v) + v < 0.5, where 0.35 is twice 5 % of 3.5: v < 0.1275, together 0.3725"});
+          Uncertainty{.expected = frank,
+                      .data = 0.05 * frank,
+                      .useful = 0.3725,
+                      .reason = "printed to two digits as about the largest value; here: the uncertainty of the fitted "
+                                "limit. A passing value with uncertainty v excludes 4 if hypot(0.35, v) + v < 0.5, "
+                                "where 0.35 is twice 5 % of 3.5: v < 0.1275, together 0.3725"});
   claims
       .only_if(series.amplitude == 0.3 && std::ranges::count(series.angles, 36.0) > 0,
-               "the highest stem of waves of 0.3 is at 36 degrees, and lower waves settle later still")
+               "the highest stem for a = 0.3 is at 36 degrees, and lower waves settle even later")
       .check(
           with("settling", series),
-          fmt::format("a = {:g}: the highest stem has not settled after 500 units of time.", series.amplitude),
+          fmt::format("The growth of the highest stem for a = {:g} continues after 500 time units.", series.amplitude),
           "a_w at t = 500 over its limit for infinite time",
           [](const ReflectionSeries& s) -> Measurement {
             const Reflection& highest = s.highest();
@@ -178,17 +175,18 @@ void claim_peak(const Claims<ReflectionSeries>& claims, const ReflectionSeries& 
 void claim_boundary(const Claims<ReflectionSeries>& claims, const ReflectionSeries& series) {
   const auto claim = [&](const std::string& id, const std::string& text, const std::string& from,
                          const Uncertainty& criterion) {
-    claims.from(from).check(id, fmt::format("a = {:g}: reflection becomes regular {}.", series.amplitude, text),
-                            "angle at which a_r = 0.95 a_i [deg]", &ReflectionSeries::boundary, criterion);
+    claims.from(from).check(
+        id, fmt::format("The transition angle to regular reflection for a = {:g} lies {}.", series.amplitude, text),
+        "angle at which a_r = 0.95 a_i [deg]", &ReflectionSeries::boundary, criterion);
   };
   claim(with("boundary-finite", series), "at tan(psi)/cos(psi) = sqrt(3a)", "Li, Yeh and Kodama (2011)",
         {.expected = resonant_angle(series.amplitude),
          .data = 0.25,
          .useful = 2,
-         .reason = "half a degree, as sharply as 0.95 next to the plateau defines it"});
+         .reason = "half a degree, the resolution of the criterion 0.95 next to the plateau"});
   constexpr double tanaka = 37.8;
   if (series.amplitude == 0.3) {
-    claim("boundary-tanaka", "where it does by the full equations", "Tanaka (1993), abstract",
+    claim("boundary-tanaka", "where the full equations place it", "Tanaka (1993), abstract",
           {.expected = tanaka, .data = 0.5, .useful = 2, .reason = "stated as approximate; half a degree assumed"});
   }
 }
@@ -196,7 +194,8 @@ void claim_boundary(const Claims<ReflectionSeries>& claims, const ReflectionSeri
 void claim_law(const Claims<ReflectionSeries>& claims) {
   constexpr double frank = 0.62;
   claims.check(
-      "angle-law", "a = 0.3: the reflected amplitude goes like the square of the angle with Frank's factor.",
+      "angle-law",
+      "The reflected amplitude for a = 0.3 is proportional to the square of the angle, with Frank's factor 0.62.",
       "C of a_r = C psi^2 up to 35 deg",
       [](const ReflectionSeries& s) -> Measurement {
         const AngleLaw law = angle_law(s, last_of_law);
@@ -207,7 +206,7 @@ void claim_law(const Claims<ReflectionSeries>& claims) {
       Uncertainty{.expected = frank,
                   .data = 0.05 * frank,
                   .useful = 0.15,
-                  .reason = "printed to two digits, 5 % assumed; ours: twice the standard error of the fit. Miles's "
+                  .reason = "printed to two digits, 5 % assumed; here: twice the standard error of the fit. Miles's "
                             "1/3 is far outside"});
 }
 
@@ -255,42 +254,41 @@ Worst angle_difference(const ReflectionSeries& series) {
 
 void claim_angles(const Claims<ReflectionSeries>& claims, const ReflectionSeries& series) {
   claims.from(source)
-      .only_if(series.amplitude > 0.097 + 1e-9, "Frank says it of waves higher than 0.097")
+      .only_if(series.amplitude > 0.097 + 1e-9, "stated by Frank for waves higher than 0.097")
       .check(
           with("angle-below-theory", series),
-          fmt::format("a = {:g}: where reflection is irregular, theory overestimates the angle of reflection.",
-                      series.amplitude),
-          "all angles are smaller", [](const ReflectionSeries& s) { return largest(over_miles(s)) < 0 ? 1.0 : 0.0; },
-          Qualitative{.detector = "each is below Miles's sqrt(3a)", .reason = "Frank says so"});
+          fmt::format(
+              "The angle of irregular reflection for a = {:g} is below Miles's sqrt(3a) at every angle of incidence.",
+              series.amplitude),
+          "true of all angles", [](const ReflectionSeries& s) { return largest(over_miles(s)) < 0 ? 1.0 : 0.0; },
+          Qualitative{.detector = "each angle is below Miles's sqrt(3a)", .reason = "stated by Frank"});
   claims.from(source)
-      .only_if(series.amplitude == 0.05, "Frank says it of his lowest waves")
+      .only_if(series.amplitude == 0.05, "stated by Frank for his lowest waves")
       .fails({.value = 0.07,
               .width = 0.01,
-              .reason = "Miles's angles are small ones; tan(psi_r) = sqrt(3a) cos(psi_i) for finite angles gives "
-                        "20.2 to 20.9 degrees for the 20.6 to 21.2 that are found, not 22.2"})
+              .reason = "Miles's theory is one of small angles; tan(psi_r) = sqrt(3a) cos(psi_i) for finite angles "
+                        "gives 20.2 to 20.9 degrees, compared with 20.6 to 21.2 computed, not 22.2"})
       .check(
           with("angle-of-theory", series),
-          fmt::format("a = {:g}: where reflection is irregular, the angle of reflection equals Miles's.",
-                      series.amplitude),
+          fmt::format("The angle of irregular reflection for a = {:g} equals Miles's sqrt(3a).", series.amplitude),
           "largest relative difference from Miles's sqrt(3a)",
           [](const ReflectionSeries& s) { return worst(over_miles(s)); },
-          Bound{.limit = 0.05, .reason = "what theory leaves out is of the order of the amplitude"});
+          Bound{.limit = 0.05, .reason = "the neglected terms are of the order of the amplitude"});
   claims.from(source).check(
       with("angle-falls", series),
-      fmt::format(
-          "a = {:g}: where reflection is irregular, the angle of reflection falls as the angle of incidence grows.",
-          series.amplitude),
+      fmt::format("The angle of irregular reflection for a = {:g} falls as the angle of incidence grows.",
+                  series.amplitude),
       "falls", angle_falls,
-      Qualitative{.detector = "from angle to angle up to kappa = 1, each within its uncertainty",
+      Qualitative{.detector = "decreasing from angle to angle up to kappa = 1, each within its uncertainty",
                   .reason = "Frank: the dependence is not monotonic"});
   claims.from(source).check(
       with("angle-equal", series),
-      fmt::format("a = {:g}: where reflection is regular, the two angles are equal.", series.amplitude),
+      fmt::format("The angle of regular reflection for a = {:g} equals the angle of incidence.", series.amplitude),
       "largest difference over its expanded uncertainty, kappa above 1.1", angle_difference,
       Bound{.limit = 1,
-            .reason = "both as measured; twice the errors of the lines through the crests, and 0.6 deg, twice the "
+            .reason = "both measured; twice the errors of the lines through the crests, and 0.6 deg, twice the "
                       "standard uncertainty of the same measure, stated with mach_reflection_model2; 1.16 deg at most, "
-                      "the least by which the two differ below kappa = 1 in mach_reflection_model2"});
+                      "the smallest difference below kappa = 1 in mach_reflection_model2"});
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
@@ -300,13 +298,13 @@ void claims(const Values& values, const Claims<Results>& claims) {
     const ReflectionSeries& series = all[k];
     const auto one = claims.at(lattice_of(series)).entry(k);
     const auto settled =
-        one.only_if(values.real("time") == 0, "the limits of runs that do not wait for their stems are not known");
+        one.only_if(values.real("time") == 0, "runs shorter than the settling time of their stems have no known limit");
     claim_theory(settled, series);
     claim_peak(settled, series);
     claim_angles(one, series);
     if (series.amplitude == 0.3) claim_law(one);
     if (!plan_of(series.amplitude)) continue;
-    claim_boundary(one.only_if(fine, "on coarser lattices than h = 0.5 regular reflection gives back less than 0.95"),
+    claim_boundary(one.only_if(fine, "on grids coarser than h = 0.5 regular reflection returns less than 0.95"),
                    series);
   }
 }
@@ -338,7 +336,7 @@ void mach_reflection_curves(Case& c) {
   c.parameters = {
       real("amplitude", {0.3, 0, 0}, "depth", {0, 0.55}, "of the only series; 0 for 0.05, 0.097, 0.186 and 0.3"),
       real("h", {1, 0.5, 0.35}, "depth", {0.2, 1.2}, "spacing at a = 0.3; 1.2, 1.8 and 2.5 times that at the others"),
-      real("time", 0.0, "sqrt(depth/g)", {0, 20000}, "of each run; 0 for until the stem should have settled"),
+      real("time", 0.0, "sqrt(depth/g)", {0, 20000}, "of each run; 0: the theoretical settling time of the stem"),
   };
   c.published = {{.tiles = {"frank-fig-7", "frank-fig-8", "frank-ar-law"}, .tier = Tier::full}};
   c.study = Study(claims, compute, show, "Frank (1994), section 4.3");

@@ -1,25 +1,25 @@
 /*
-Figure 7 of Frank (1994) with both of his models: amplitudes and angles of solitary waves reflected by a wall, by
-columns of water and by layers of hexahedra. The theory of Miles (1977) is a limit: of small waves, after infinite time.
-Here each number is one of fine lattices and long times, and goes to that limit with the amplitude. Lengths are in
-depths, times in $\sqrt{\text{depth}/g}$.
+Figure 7 of Frank (1994) with both of his models: amplitudes and angles of solitary waves reflected by a wall, with
+water columns and with layers of hexahedra. The theory of Miles (1977) holds in the limit of small waves and infinite
+time; here each value is extrapolated to fine grids and long times, and tends to that limit with the amplitude. Lengths
+are over the depth, times over $\sqrt{\text{depth}/g}$.
 
-**Set-up.** As in `mach_reflection_curves`: spacings go with the length of the waves; runs last until the stem should
-have settled. Each is made on three lattices, with 1.4 and 2 times the spacing of
-the finest, and extrapolated to $h \to 0$; amplitudes at the wall first
-to $t \to \infty$. The hexahedra run at $a_i$ = 0.097 and 0.186, as in the source, and the columns at 0.05 and 0.3 too.
+**Set-up.** As in `mach_reflection_curves`: spacings are proportional to the wavelength, and runs last for the
+theoretical settling time of the stem. Each run uses three grids, with 1, 1.4 and 2 times the finest spacing,
+extrapolated to $h \to 0$; amplitudes at the wall are first extrapolated to $t \to \infty$. The hexahedra run at $a_i$ =
+0.097 and 0.186, as in the source, the columns at 0.05 and 0.3 too.
 
-**What is compared.** With the theory for finite angles, at the measured incident amplitude, for the hexahedra shed some
-of theirs: $\kappa = \tan\psi_i/(\sqrt{3a_i}\cos\psi_i)$ gives $a_w = (1+\kappa)^2 a_i$, $a_r = \kappa^2 a_i$ and
-$\tan\psi_r = \sqrt{3a_i}\cos\psi_i$. It leaves out what is of the order of $a_i$: that is the limit. The time in which
-the stem settles, for small waves; the two models with each other. And a run that starts from a wave half as high again
-next to the wall.
+**What is compared.** The theory for finite angles at the measured incident amplitude, because the wave on hexahedra
+loses some of its amplitude: $\kappa = \tan\psi_i/(\sqrt{3a_i}\cos\psi_i)$ gives $a_w = (1+\kappa)^2 a_i$, $a_r =
+\kappa^2 a_i$ and $\tan\psi_r = \sqrt{3a_i}\cos\psi_i$. The limit is the order of the neglected terms, $a_i$. Also
+compared: the settling time of the stem, for small waves; the two models with each other; a run from a wave half as high
+again next to the wall.
 
-**What to look at.** Of $a_i$ = 0.3, 0.186, 0.097, 0.05 the smaller, the nearer to the theory; Miles's own $a_r =
-\psi_i^2/3$ is low by 15 % at 0.05 still, for $\tan^2/\cos^2$ is more than the square of the angle. Stems settle later
-than the theory says, the later the higher the wave. What the start was is forgotten. Regular reflection gives back all
-of the incident amplitude up to $a_i$ = 0.186, and 97 % of 0.3: what lattices of half a depth lack of it, 4 to 5 %, is
-mostly theirs.
+**What to look at.** From $a_i$ = 0.3 over 0.186 and 0.097 to 0.05 the results approach the theory; Miles's own $a_r =
+\psi_i^2/3$ is low by 15 % at 0.05 still, because $\tan^2/\cos^2$ exceeds the square of the angle. Stems settle later
+than in theory, the more so the higher the wave. The result does not depend on the initial state. Regular reflection
+returns all of the incident amplitude up to $a_i$ = 0.186, and 97 % of 0.3; most of the 4 to 5 % that grids of half a
+depth lose is a grid error.
 */
 #include <algorithm>
 #include <cmath>
@@ -159,26 +159,27 @@ Measurement relative(const Measurement& found, double expected) {
 }
 
 void claim_theory(const Claims<Wave>& claims, const Wave& wave) {
-  const Bound bound{.limit = wave.amplitude, .reason = "what the theory leaves out is of the order of the amplitude"};
+  const Bound bound{.limit = wave.amplitude, .reason = "the neglected terms are of the order of the amplitude"};
   claims.check(
-      "wall-" + wave.id(), wave.text() + ": the wave height on the wall agrees with the theory.",
-      "a_w/a_i for fine lattices and infinite time over the theory's, less 1",
+      "wall-" + wave.id(), fmt::format("The wall amplitude agrees with the theory ({}).", wave.text()),
+      "a_w/a_i for fine grids and infinite time over theory, minus 1",
       [](const Wave& w) { return relative(w.limit(&Reflection::limit_ratio), w.theory().wall_ratio()); }, bound);
   const MachReflection nominal = wave.nominal();
   const bool unsteady = wave.model == WaveModel::hexahedra && wave.amplitude < small && !wave.stem();
   claims
       .only_if(nominal.reflected_ratio() * wave.amplitude > lowest_reflected,
-               "waves lower than 0.03 depths these lattices do not know to a tenth")
-      .only_if(!unsteady, "the three lattices of hexahedra leave two fifths of this regular reflection open")
+               "waves of a/h < 0.03 are not resolved to 10 % on these grids")
+      .only_if(!unsteady, "the three grids of hexahedra leave 40 % of this regular reflection undetermined")
       .check(
-          "reflected-" + wave.id(), wave.text() + ": so is the reflected wave.",
-          "a_r/a_i for fine lattices over the theory's, less 1",
+          "reflected-" + wave.id(),
+          fmt::format("The amplitude of the reflected wave agrees with the theory ({}).", wave.text()),
+          "a_r/a_i for fine grids over theory, minus 1",
           [](const Wave& w) { return relative(w.limit(&Reflection::reflected_ratio), w.theory().reflected_ratio()); },
           Bound{.limit = 2 * wave.amplitude,
                 .reason = "kappa is known to the order of the amplitude, its square to twice that"});
   claims.check(
-      "angle-" + wave.id(), wave.text() + ": it leaves the wall at the theory's angle.",
-      "psi_r for fine lattices over the theory's, less 1",
+      "angle-" + wave.id(), fmt::format("The angle of the reflected wave agrees with the theory ({}).", wave.text()),
+      "psi_r for fine grids over theory, minus 1",
       [](const Wave& w) { return relative(w.limit(&Reflection::reflected_angle), w.theory_angle()); }, bound);
 }
 
@@ -187,8 +188,9 @@ void claim_small(const Claims<Wave>& claims, const Wave& wave) {
   claims.from("Kodama and Yeh (2016)")
       .at([](const Wave& w) { return w.lattices.front().run.resolution(); })
       .check(
-          "settling-" + wave.id(), wave.text() + ": the stem settles at the theory's rate.",
-          "rate of the fitted exponential over the theory's, less 1",
+          "settling-" + wave.id(),
+          fmt::format("The settling rate of the stem agrees with the theory ({}).", wave.text()),
+          "rate of the fitted exponential over theory, minus 1",
           [](const Wave& w) {
             const Reflection& r = w.lattices.front();
             return r.limit.exponential.rate / r.run.settling_rate() - 1;
@@ -201,7 +203,10 @@ void claim_small(const Claims<Wave>& claims, const Wave& wave) {
 void claim_start(const Claims<Wave>& claims, const Wave& wave) {
   claims.from("Frank (1994), section 4.3")
       .check(
-          "start-" + wave.id(), wave.text() + ": a wave that starts half as high again next to the wall ends alike.",
+          "start-" + wave.id(),
+          fmt::format(
+              "The wall amplitude from 1.5 times the initial height next to the wall equals the usual one ({}).",
+              wave.text()),
           "difference of a_w/a_i for infinite time",
           [](const Wave& w) -> Measurement {
             const Measurement usual = w.lattices.back().limit_ratio();
@@ -211,17 +216,18 @@ void claim_start(const Claims<Wave>& claims, const Wave& wave) {
                     .told = {.limit = std::hypot(usual.half_width(), other.half_width())}};
           },
           Bound{.limit = Amount::told_by_run(0.1),
-                .reason = "how well the two limits are known, together; a tenth at most, where a start that is half "
-                          "remembered would leave a quarter of a_w/a_i"});
+                .reason = "the combined uncertainty of the two limits, 0.1 at most; a half-remembered initial state "
+                          "would leave a quarter of a_w/a_i"});
 }
 
 void claim_models(const Claims<Results>& claims, const Wave& wave, std::size_t columns, std::size_t hexahedra) {
   claims.from("Frank (1994), section 4.3")
       .check(
           fmt::format("models-{}-{:g}", id_of(wave.amplitude), wave.angle),
-          fmt::format("a = {:g}, {:g} deg: the two models have nearly the same amplitude at the wall.", wave.amplitude,
-                      wave.angle),
-          "a_w/a_i of the hexahedra over a_w/a_i of the columns, less 1",
+          fmt::format(
+              "The wall amplitudes of both models for a = {:g} at {:g} deg agree to the order of the neglected terms.",
+              wave.amplitude, wave.angle),
+          "a_w/a_i of the hexahedra over a_w/a_i of the columns, minus 1",
           [=](const Results& r) {
             const Measurement layered = r.at(hexahedra).limit(&Reflection::limit_ratio);
             const Measurement plain = r.at(columns).limit(&Reflection::limit_ratio);
@@ -229,7 +235,7 @@ void claim_models(const Claims<Results>& claims, const Wave& wave, std::size_t c
                                .uncertainty = std::hypot(layered.half_width(), plain.half_width()) / plain.value,
                                .resolution = layered.resolution};
           },
-          Bound{.limit = wave.amplitude, .reason = "they differ by what the theory of both leaves out"});
+          Bound{.limit = wave.amplitude, .reason = "they differ by the neglected terms of their common theory"});
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
@@ -276,7 +282,7 @@ Results compute(const Run& run) {
 
 void draw(evidence::Exhibit& exhibit, const Results& all) {
   auto& figure = exhibit.figure(
-      "amplitudes", "Amplitudes for fine lattices and long times, by both models",
+      "amplitudes", "Amplitudes for fine grids and long times, by both models",
       "Against kappa for finite angles, by the measured incident amplitude. Lines: theory for small waves.",
       {"frank-fig-7"});
   auto& wall = figure.panel({.x = "kappa", .y = "a_w/a_i"});
@@ -303,7 +309,7 @@ void draw(evidence::Exhibit& exhibit, const Results& all) {
       points(reflected, &Reflection::reflected_ratio);
     }
   }
-  auto& growth = exhibit.figure("start", "Two starts", "The second one is half as high again next to the wall.");
+  auto& growth = exhibit.figure("start", "Two starts", "The second run starts half as high again next to the wall.");
   for (const Wave& wave : all) {
     if (!wave.strengthened) continue;
     auto& panel = growth.panel({.x = "t [sqrt(depth/g)]", .y = "a_w [depth]", .title = wave.text()});
@@ -315,9 +321,9 @@ void draw(evidence::Exhibit& exhibit, const Results& all) {
 void show(const Results& all, const Values& /*values*/, evidence::Exhibit& exhibit) {
   draw(exhibit, all);
   evidence::Table& table = add_table(
-      exhibit, "limits", "Limits of fine lattices and long times",
-      "h: the finest lattice's spacing. Settling: rate of the fitted exponential over the theory's. Time: "
-      "processor's, of the finest run.",
+      exhibit, "limits", "Limits of fine grids and long times",
+      "h: the finest spacing. Settling: rate of the fitted exponential over theory. Time: processor time of the finest "
+      "run.",
       {"model", "a [depth]", "psi_i [deg]", "h [depth]", "a_i [depth]", "kappa [1]", "a_w/a_i [1]", "theory [1]",
        "a_r/a_i [1]", "theory [1]", "3 a_r/psi_i^2 [1]", "psi_r [deg]", "theory [deg]", "settling [1]", "time [s]"});
   for (const Wave& wave : all) {
@@ -338,7 +344,7 @@ void show(const Results& all, const Values& /*values*/, evidence::Exhibit& exhib
 }  // namespace
 
 void mach_reflection_limits(Case& c) {
-  c.title = "Mach reflection by two models: limits of fine lattices, small waves and long times";
+  c.title = "Mach reflection by two models: limits of fine grids, small waves and long times";
   c.source = literature::frank + ", chapter 4, figure 7; " + literature::miles;
   c.tiers = {Tier::quick, Tier::full, Tier::paper};
   c.parameters = {

@@ -1,15 +1,15 @@
 /*
 A solitary wave of small amplitude $a_i$ meets a wall at a small angle $\psi_i$. Miles (1977), with the parameter of
-Kodama and Yeh, $\kappa = \tan\psi_i/(\sqrt{3a_i}\cos\psi_i) < 1$, found what happens in the end: a stem of the height
-$a_w = (1+\kappa)^2 a_i$, and a wave of $a_r = \kappa^2 a_i$ that is reflected at $\tan\psi_r = \sqrt{3a_i}\cos\psi_i$;
-the stem's end moves off the wall at $\tan\psi_* = (1-\kappa)\tan\psi_r/3$. Lengths are in depths.
+Kodama and Yeh, $\kappa = \tan\psi_i/(\sqrt{3a_i}\cos\psi_i) < 1$, found the final state: a stem of amplitude $a_w =
+(1+\kappa)^2 a_i$, and a wave of $a_r = \kappa^2 a_i$ reflected at $\tan\psi_r = \sqrt{3a_i}\cos\psi_i$; the end of the
+stem leaves the wall at $\tan\psi_* = (1-\kappa)\tan\psi_r/3$. Lengths are over the depth.
 
-**What is compared.** The case shows the theory for both parameters. It scores others: amplitudes over the measured
-incident one, angles, and by how much the wall's amplitude still grew in the last fifth of the run. Our models are
+**What is compared.** The case shows the theory for both parameters. It accepts external results: amplitudes over the
+measured incident one, angles, and the growth of the wall amplitude in the last fifth of the run. The suite's models are
 evaluated in `mach_reflection`.
 
-**What to look at.** The theory neglects what is of the order of $a_i$: that is the limit, and where it would no longer
-tell a stem from regular reflection nothing is decided. Small waves settle slowly, after hundreds of depths.
+**What to look at.** The theory neglects terms of order $a_i$, which is the limit; configurations in which this limit
+does not separate a stem from regular reflection are rejected. Small waves settle slowly, over hundreds of depths.
 */
 #include <algorithm>
 #include <cmath>
@@ -53,8 +53,8 @@ WantedQuantity wanted_of(const Column& column, double expected, double neglected
       .requirements = {
           {.measure = Measure::value,
            .criterion = Bound{.limit = Amount::at_most(neglected, 0.5 * std::abs(expected - other)),
-                              .reason = "the theory neglects what is of the order of the incident amplitude over the "
-                                        "depth; half of what separates it from regular reflection still decides",
+                              .reason = "the theory neglects terms of the order of the incident amplitude over the "
+                                        "depth; the limit is at most half of the difference from regular reflection",
                               .expected = expected},
            .text = text,
            .source = source}}};
@@ -78,7 +78,7 @@ std::vector<Number> numbers_of(const Values& values) {
           {.measure = Measure::value,
            .criterion =
                Bound{.limit = 0.01,
-                     .reason = "of an approach as 1/t four times this is left, 4 %, less than the theory neglects"},
+                     .reason = "an approach as 1/t leaves four times this, 4 %, less than the neglected terms"},
            .text = "The growth of the stem has settled within 1 %, which leaves 4 % of an approach as 1/t.",
            .source = source}}};
   return {{wanted_of({"a_w_over_a_i", "1", "amplitude at the wall over the incident one"}, wall, neglected * wall, 2,
@@ -110,7 +110,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
   });
   const bool found = run != known.end();
   const auto tabulated = claims.only_if(theory_of(values).has_stem() && found,
-                                        "no run of this amplitude and angle with a stem is tabulated");
+                                        "no run with a stem is tabulated at this amplitude and angle");
   for (const Number& one : numbers_of(values)) {
     const Requirement& required = one.wanted.requirements.front();
     tabulated.from(source).check(
@@ -143,7 +143,7 @@ std::vector<WantedTable> wanted(const Values& values) {
   const MachReflection theory = theory_of(values);
   if (!theory.has_stem()) {
     throw std::invalid_argument(
-        fmt::format("angle = {:g} is out of range: its parameter kappa = {:.3g} must be less than 1, or no stem grows",
+        fmt::format("angle = {:g} is out of range: kappa = {:.3g} must be less than 1, or no stem grows",
                     values.real("angle"), theory.kappa()));
   }
   WantedTable table{.name = "numbers", .quantities = {}, .reference_role = evidence::Role::guide};
@@ -160,7 +160,7 @@ void mach_reflection_theory(Case& c) {
       "; W. Li, H. Yeh, Y. Kodama, On the Mach reflection of a solitary wave: revisited, J. Fluid Mech. 672 (2011) 326";
   c.parameters = {
       real("amplitude", 0.097, "depth", {0.001, 0.8}, "a_i of the incident wave"),
-      real("angle", 20.0, "deg", {1, 75}, "psi_i between the wave's direction and the wall"),
+      real("angle", 20.0, "deg", {1, 75}, "psi_i between wave direction and wall"),
   };
   c.study = Study(claims, compute, show);
   c.submission = {.tables = wanted};

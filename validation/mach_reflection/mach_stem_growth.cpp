@@ -1,18 +1,18 @@
 /*
-How the triple configuration of Mach reflection develops: figure 6 of Frank (1994). A solitary wave, $a_i = 0.3$ of the
-depth, meets the wall $y = 0$ at 30 degrees. It is regular at first: incident and reflected crest meet at the wall. Then
-they part from it, and between them and the wall stands the stem, which grows in length for ever and in height up to a
-limit. Lengths are in depths, times in $\sqrt{\text{depth}/g}$.
+Development of the triple configuration of Mach reflection: figure 6 of Frank (1994). A solitary wave of $a_i = 0.3$
+meets the wall $y = 0$ at 30 degrees. Reflection is regular at first: incident and reflected crest meet at the wall.
+Then the crests leave the wall, connected to it by the stem, whose length grows indefinitely and whose amplitude tends
+to a limit. Lengths are over the depth, times over $\sqrt{\text{depth}/g}$.
 
 **Set-up.** As in `mach_reflection`, 2DH model.
 
-**What is compared.** The growth with a straight line: far from the wall's beginning the pattern is self-similar, its
-length grows in proportion to the path. The speed of the crest on the wall with Serre's solitary wave of the
-stem's height, $\sqrt{1 + a_w}$: the stem is such a wave. And with the incident crest, whose trace on any line parallel
-to the wall runs at $c_i/\cos\psi_i$, slower than the stem: that is why the stem grows.
+**What is compared.** The growth with a straight line: far from the start of the wall the pattern is self-similar, and
+its length grows in proportion to the path. The speed of the crest at the wall with Serre's solitary wave of the stem
+amplitude, $\sqrt{1 + a_w}$, and with the trace of the incident crest on any line parallel to the wall,
+$c_i/\cos\psi_i$, which is slower; the stem grows by this difference.
 
-**What to look at.** Three crests meet away from the wall. The reflected one is lower than the incident one and makes a
-larger angle with the wall. Along the stem the height hardly changes.
+**What to look at.** Three crests meet away from the wall. The reflected crest is lower than the incident one and makes
+a larger angle with the wall. The amplitude is nearly constant along the stem.
 */
 #include <cmath>
 #include <stdexcept>
@@ -75,16 +75,17 @@ void claims(const Values& values, const Claims<Development>& all) {
   const Claims<Development> claims = all.at(resolution_of(values));
   claims.check(
       "straight",
-      "The stem's length grows in proportion to the path: the third and the last quarter of it give the same angle.",
+      "The stem length grows in proportion to the path: the angles over the third and the last quarter agree within 10 "
+      "%.",
       "difference of the angles over the angle",
       [](const Development& d) { return (d.angle_of_half(true) - d.angle_of_half(false)) / d.angle().value; },
       Bound{.limit = 0.1,
-            .reason = "a tenth of the angle: what the stem's height still lacks in the third quarter, up to 1 %, "
-                      "changes the speeds whose difference makes the stem grow by a tenth of it"});
+            .reason = "a tenth of the angle: the missing stem amplitude in the third quarter, up to 1 %, changes the "
+                      "difference of speeds by which the stem grows by a tenth"});
   claims.from("Serre (1953)")
       .check(
           "speed", "The speed of the crest on the wall agrees with Serre's solitary wave of its height.",
-          "speed over sqrt(1 + a_w), less 1",
+          "speed over sqrt(1 + a_w), minus 1",
           [h = values.real("h")](const Development& d) -> Measurement {
             const double height = d.height.back();
             const double speed = std::sqrt(1 + height);
@@ -96,8 +97,8 @@ void claims(const Values& values, const Claims<Development>& all) {
           },
           // K^2 is less than 3/4 for waves of any height.
           Bound{.limit = Amount::told_by_run(std::pow(values.real("h"), 2) / 16),
-                .reason = "(h K)^2/12, K^2 = 3a/(4(1 + a)): the leading dispersion error of the lattice for a wave as "
-                          "narrow as the stem"});
+                .reason = "(h K)^2/12, K^2 = 3a/(4(1 + a)): the leading dispersion error of the grid for a wave of the "
+                          "width of the stem"});
 }
 
 /// Throws std::runtime_error, with the time, for a surface without the crests of one.
@@ -192,8 +193,8 @@ void mach_stem_growth(Case& c) {
   c.source = literature::frank + ", section 4.3, figure 6";
   c.parameters = {
       real("amplitude", 0.3, "depth", {0.01, 0.55}, "a_i of the incident wave"),
-      real("angle", 30.0, "deg", {5, 75}, "psi_i between the wave's direction and the wall"),
-      real("h", {1, 0.5, 0.35}, "depth", {0.1, 1.25}, "spacing of the lattice at rest; steps are half of it"),
+      real("angle", 30.0, "deg", {5, 75}, "psi_i between wave direction and wall"),
+      real("h", {1, 0.5, 0.35}, "depth", {0.1, 1.25}, "initial grid spacing; steps are half of it"),
       real("time", 300.0, "sqrt(depth/g)", {100, 20000}, "how long"),
   };
   c.published = {{.tiles = {"frank-fig-6"}}};

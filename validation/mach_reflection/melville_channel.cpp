@@ -1,21 +1,21 @@
 /*
-The beginning of Mach reflection, in the geometry of Melville's (1980) experiment: a solitary wave runs along a channel
-into a wall that turns by the angle $\psi$. Melville measured stems lower than twice the incident wave and doubted
-Miles's (1977) theory, which promises up to four times. Frank (1994, section 4.3) answered that the stem of a tank is at
-the beginning of its growth. Lengths are in depths, times in $\sqrt{\text{depth}/g}$.
+The early stage of Mach reflection, in the geometry of Melville's (1980) experiment: a solitary wave runs along a
+channel into a wall that turns by the angle $\psi$. Melville measured stem amplitudes below twice the incident one and
+doubted Miles's (1977) theory, which predicts up to four times. Frank (1994, section 4.3) replied that the stem in the
+tank is in its early growth. Lengths are over the depth, times over $\sqrt{\text{depth}/g}$.
 
 **Set-up.** A channel 34 wide. Its wall $y = 0$ turns inwards at $x = 45$. The wave, $a = 0.1$, starts with its crest at
-$x = 20$. The lattice follows the wall: equal columns, on each of them equal rows from wall to wall. The column at the
-bend does not move: water stagnates there. Steps are half the spacing `h`.
+$x = 20$. The mesh follows the wall: equal columns, each with equal rows from wall to wall. The column at the bend is
+fixed, because the flow stagnates there. Steps are half the spacing `h`.
 
-**What is compared.** The height of the crest on the turned wall, against the distance from the bend, over the crest on
-the other wall when it passes the bend. Columns of water and two layers of hexahedra. With the limits for infinite time:
-theory for finite angles.
+**What is compared.** The crest amplitude at the turned wall as a function of the distance from the bend, over the crest
+amplitude at the other wall when it passes the bend. Water columns and two layers of hexahedra. The limits for infinite
+time: theory for finite angles.
 
-**What to look at.** At 20 degrees theory promises a stem of 2.9 times the incident wave. After 40 depths, longer than
-the tank, it has come a third of the way there from one. At 35 degrees reflection is regular in the end, with 2.26 at
-the wall; it too is below two for thirty depths. Neither looks like an approach to a limit. The stem of the hexahedra
-is a hundredth lower.
+**What to look at.** At 20 degrees theory predicts a stem of 2.9 times the incident wave. After $x/h = 40$, longer than
+the tank, the amplification has covered a third of the way from 1 to that value. At 35 degrees reflection is finally
+regular, with 2.26 at the wall; it too stays below 2 up to $x/h = 30$. Neither curve indicates an approach to a limit.
+The stem of the hexahedra is 1 % lower.
 */
 #include <algorithm>
 #include <cmath>
@@ -171,10 +171,11 @@ void claim_early(const Claims<Ladder>& claims, double angle) {
   constexpr double tank = 30;
   claims.check(
       "early-" + id_of(angle),
-      fmt::format("{:g} deg: within {:g} depths of the bend the stem stays below twice the incident wave.", angle,
-                  tank),
+      fmt::format("The stem amplitude at {:g} deg within {:g} depths of the bend stays between 1 and 2 times the "
+                  "incident amplitude.",
+                  angle, tank),
       "a_w/a_i there", [](const Ladder& ladder) { return ratio_at(ladder, tank); },
-      Bound{.limit = 0.5, .reason = "between 1 and 2: what Melville measured", .expected = 1.5});
+      Bound{.limit = 0.5, .reason = "between 1 and 2: measured by Melville", .expected = 1.5});
 }
 
 void claim_models(const Claims<Results>& claims, double amplitude, double angle, std::size_t columns,
@@ -182,15 +183,16 @@ void claim_models(const Claims<Results>& claims, double amplitude, double angle,
   constexpr double tank = 30;
   claims.check(
       "models-" + id_of(angle),
-      fmt::format("{:g} deg: by hexahedra the stem has grown as much, {:g} depths from the bend.", angle, tank),
-      "a_w/a_i - 1 there over the same of the columns, less 1",
+      fmt::format("The stem growth at {:g} deg, {:g} depths from the bend, agrees between hexahedra and columns.",
+                  angle, tank),
+      "a_w/a_i - 1 there over the same of the columns, minus 1",
       [=](const Results& r) -> Measurement {
         const Measurement plain = ratio_at(r.at(columns), tank);
         const Measurement layered = ratio_at(r.at(hexahedra), tank);
         return {.value = (layered.value - 1) / (plain.value - 1) - 1,
                 .uncertainty = std::hypot(plain.half_width(), layered.half_width()) / (plain.value - 1)};
       },
-      Bound{.limit = amplitude, .reason = "the two differ by what is of the order of the amplitude over the depth"});
+      Bound{.limit = amplitude, .reason = "the two differ by terms of the order of the amplitude over the depth"});
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
@@ -231,11 +233,11 @@ Results compute(const Run& run) {
 
 void draw(evidence::Exhibit& exhibit, const Results& all) {
   const ReflectionRun example{.amplitude = all.front().front().channel.amplitude, .angle = radians(20)};
-  auto& figure = exhibit.figure(
-      "growth", "The stem in a channel whose wall turns",
-      fmt::format("a = {:g}, h = {:g}. Thin: where theory for small waves and finite angles sees the end.",
-                  example.amplitude, all.front().front().channel.spacing),
-      {"frank-melville"});
+  auto& figure =
+      exhibit.figure("growth", "Stem in a channel with a turned wall",
+                     fmt::format("a = {:g}, h = {:g}. Thin: limit of the theory for small waves and finite angles.",
+                                 example.amplitude, all.front().front().channel.spacing),
+                     {"frank-melville"});
   auto& panel =
       figure.panel({.x = "distance from the bend along the wall [depth]", .y = "a_w/a_i", .y_min = 1, .y_max = 4});
   auto& map = exhibit.figure("surface", "The channel from above",
@@ -271,15 +273,15 @@ void show(const Results& all, const Values& /*values*/, evidence::Exhibit& exhib
 }  // namespace
 
 void melville_channel(Case& c) {
-  c.title = "Early growth of a Mach stem in a channel whose wall turns";
+  c.title = "Early growth of a Mach stem in a channel with a turned wall";
   c.source = "W. K. Melville, On the Mach reflexion of a solitary wave, J. Fluid Mech. 98 (1980) 285; " +
              literature::frank + ", section 4.3";
   c.parameters = {
       real("amplitude", 0.1, "depth", {0.05, 0.4}, "of the wave"),
-      real("angle", 20.0, "deg", {10, 40}, "by which the wall turns"),
+      real("angle", 20.0, "deg", {10, 40}, "angle by which the wall turns"),
       real("second_angle", 35.0, "deg", {10, 40}, "the same in a second channel"),
       real("h", {0.6, 0.4, 0.4}, "depth", {0.1, 0.7},
-           "spacing of the lattice at rest; also 1.4 and 2 times that; finer ones than 0.4 may tangle at the bend"),
+           "initial grid spacing; also 1.4 and 2 times that; finer ones than 0.4 may tangle at the bend"),
   };
   c.published = {{.tiles = {"frank-melville"}}};
   c.study = Study(claims, compute, show, source);

@@ -70,10 +70,10 @@ void limits(Panel& panel, const std::vector<ReflectionSeries>& series, Kappa kap
 void draw_amplitudes(evidence::Exhibit& exhibit, const std::vector<ReflectionSeries>& series) {
   auto& figure =
       exhibit.figure("amplitudes", "Amplitudes at the wall and of the reflected wave",
-                     "Over the measured incident amplitude; bars: the scatter along the crests. Left over the "
-                     "parameter of Miles (1977), right over that for finite angles of Li, Yeh and Kodama (2011). Thin: "
-                     "Frank's largest a_w/a_i, 3.5, and his a_r/a_i of regular reflection, 0.95. a_w at the end of the "
-                     "run; where it has grown by more than 1 % in the last fifth also its limit.",
+                     "Over the measured incident amplitude; bars: the scatter along the crests. Left against the "
+                     "parameter of Miles (1977), right against that for finite angles of Li, Yeh and Kodama (2011). "
+                     "Thin: Frank's largest a_w/a_i, 3.5, and his a_r/a_i of regular reflection, 0.95. a_w at the end "
+                     "of the run; where the growth in the last fifth exceeds 1 % also its limit.",
                      {"frank-fig-7"});
   const auto draw = [&](const Axis& axis, const evidence::Axes& frame, double (*theory)(double),
                         Measurement (Reflection::*ratio)() const, double frank) {
@@ -101,9 +101,9 @@ void draw_amplitudes(evidence::Exhibit& exhibit, const std::vector<ReflectionSer
 
 void draw_regimes(evidence::Exhibit& exhibit, const std::vector<ReflectionSeries>& series, const Values& values) {
   auto& figure = exhibit.figure("regimes", "Regular and irregular reflection",
-                                "Irregular: a_r below 0.95 a_i, or, on lattices so coarse that no a_r reaches that, "
-                                "below 0.99 of the largest. Curves: the boundary of Miles (1977) and kappa = 1 for "
-                                "finite angles. Horizontal: transitions in experiments as quoted by Frank (1994).",
+                                "Irregular: a_r below 0.95 a_i, or, on grids too coarse for that, below 0.99 of the "
+                                "largest a_r. Curves: the boundary of Miles (1977) and kappa = 1 for finite angles. "
+                                "Horizontal: transitions in experiments as quoted by Frank (1994).",
                                 {"frank-fig-8"});
   auto& panel =
       figure.panel({.x = "a_i [depth]", .y = "psi_i [deg]", .x_min = 0, .x_max = 0.4, .y_min = 0, .y_max = 60});
@@ -161,11 +161,11 @@ void draw_angle_law(evidence::Exhibit& exhibit, const ReflectionSeries& series, 
 }
 
 void draw_reflected_angles(evidence::Exhibit& exhibit, const std::vector<ReflectionSeries>& series) {
-  auto& panel = add_panel(
-      exhibit, "angles", "The angle of reflection",
-      "Bars: twice the standard error of the line through the reflected crest. Where reflection is irregular, psi_r "
-      "falls as psi_i grows; Miles (1977) has sqrt(3 a_i) there, drawn up to it. Then the two angles are equal.",
-      {.x = "psi_i [deg]", .y = "psi_r [deg]", .y_min = 15, .y_max = 60});
+  auto& panel = add_panel(exhibit, "angles", "The angle of reflection",
+                          "Bars: twice the standard error of the line through the reflected crest. In irregular "
+                          "reflection psi_r falls as psi_i grows, where Miles (1977) gives sqrt(3 a_i), drawn up to "
+                          "the transition; in regular reflection both angles are equal.",
+                          {.x = "psi_i [deg]", .y = "psi_r [deg]", .y_min = 15, .y_max = 60});
   for (const ReflectionSeries& one : series) {
     panel.points(name_of(one), one.angles, one.all([](const Reflection& r) { return r.reflected_angle().value; }),
                  Role::computed, one.all([](const Reflection& r) { return r.reflected_angle().half_width(); }));
@@ -179,9 +179,9 @@ void draw_reflected_angles(evidence::Exhibit& exhibit, const std::vector<Reflect
 }
 
 void draw_growth(evidence::Exhibit& exhibit, const std::vector<ReflectionSeries>& series) {
-  auto& figure = exhibit.figure("growth", "The amplitude at the wall as time goes on",
+  auto& figure = exhibit.figure("growth", "Amplitude at the wall against time",
                                 "Over the measured incident amplitude, against the slow time of weakly nonlinear "
-                                "waves. The nearer to resonance, the slower.");
+                                "waves. The growth is slowest near resonance.");
   for (const ReflectionSeries& one : series) {
     const double slow = std::pow(one.amplitude, 1.5);
     auto& panel = figure.panel({.x = "a_i^(3/2) t [sqrt(depth/g)]",
@@ -199,13 +199,13 @@ void draw_growth(evidence::Exhibit& exhibit, const std::vector<ReflectionSeries>
 }
 
 void tabulate_reflections(evidence::Exhibit& exhibit, const std::vector<ReflectionSeries>& series) {
-  evidence::Table& table = add_table(
-      exhibit, "runs", "All runs",
-      "kappa': for finite angles. Growth: of a_w in the last fifth of the run; a run that grows by more than 1 % "
-      "is not steady, and the limit is what counts.",
-      {"a [depth]", "psi_i [deg]", "kappa [1]", "kappa' [1]", "h [depth]", "end [sqrt(depth/g)]", "a_i [depth]",
-       "a_w/a_i [1]", "growth [1]", "steady", "limit [1]", "uncertainty [1]", "a_r/a_i [1]", "psi_r [deg]",
-       "stem angle [deg]", "iterations [1]", "cells [1]", "processor time [s]"});
+  evidence::Table& table =
+      add_table(exhibit, "runs", "All runs",
+                "kappa': for finite angles. Growth: of a_w in the last fifth of the run; a run with a growth of more "
+                "than 1 % is unsteady, and its limit counts.",
+                {"a [depth]", "psi_i [deg]", "kappa [1]", "kappa' [1]", "h [depth]", "end [sqrt(depth/g)]",
+                 "a_i [depth]", "a_w/a_i [1]", "growth [1]", "steady", "limit [1]", "uncertainty [1]", "a_r/a_i [1]",
+                 "psi_r [deg]", "stem angle [deg]", "iterations [1]", "cells [1]", "processor time [s]"});
   for (const ReflectionSeries& one : series) {
     for (std::size_t k = 0; k < one.angles.size(); ++k) {
       const Reflection& r = one.reflections[k];

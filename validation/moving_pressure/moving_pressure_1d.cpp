@@ -1,14 +1,14 @@
 /*
-A patch of surface pressure, a hovercraft say, travels along a channel at the speed of long waves. Its waves cannot
-outrun it linearly; the energy piles up until it leaves forward, as a train of solitons faster than the source. Lengths
-are in depths, speeds in $\sqrt{gH}$, so that speed 1 is the critical one.
+A patch of surface pressure, a hovercraft for example, travels along a channel at the long-wave celerity. Linear waves
+cannot outrun it; energy accumulates until it leaves ahead, as a train of solitons faster than the source. Lengths are
+over the depth, speeds over $\sqrt{gH}$, so that speed 1 is critical.
 
-**Set-up.** $p = p_0 \cos^2(\pi z/2w)$ for $|z| < w$, $z = x - Ut$, grown from nothing during five units of time, on
-still water between walls that no wave reaches back from. Pressure acts on every segment of the surface, normal to it.
+**Set-up.** $p = p_0 \cos^2(\pi z/2w)$ for $|z| < w$, $z = x - Ut$, ramped up over five time units, on still water
+between walls too distant for reflections. Pressure acts on every segment of the surface, normal to it.
 
-**What is compared.** The leading soliton with Serre's solitary wave: its speed must be $\sqrt{1 + a}$ for its height
-$a$. For a source whose numbers are known, its regime: how many solitons have left, how high they are, and the period of
-the surface at the source. Try `--set p0=-0.1 --set half_width=6.5 --set time=800`: no soliton at all.
+**What is compared.** The leading soliton with Serre's solitary wave: a speed of $\sqrt{1 + a}$ for its height $a$. For
+sources with known results, the regime: number and height of the solitons, and the period of the surface at the source.
+Try `--set p0=-0.1 --set half_width=6.5 --set time=800`: no soliton at all.
 
 **What to look at.** The ridge plot, in the frame of the source: solitons lean to the right because they are faster.
 */
@@ -43,15 +43,15 @@ void claims(const Values& values, const Claims<PressureWaves>& claims) {
   const auto regime = pressure_regime_of(source, run);
   claim_leading_soliton(
       claims.only_if(regime ? regime->solitons : sends_soliton(source, run.time),
-                     "whether a soliton has got away by the end is known of pressure p0 >= 0.1 with half-widths from 1 "
-                     "to 8 at speeds from 0.95 to 1 and t >= 100, and of the regimes of moving_pressure_regimes"),
+                     "the number of escaped solitons is known for pressure p0 >= 0.1 with half-widths from 1 to 8 at "
+                     "speeds from 0.95 to 1 and t >= 100, and for the regimes of moving_pressure_regimes"),
       "leader", source, run);
   if (regime) claim_pressure_regime(claims, *regime, run);
   claims.at(run.text())
       .check("endless", "The elevation at the wall ahead stays below an ulp of the depth, 2.2e-16 H.",
              "largest elevation at the wall ahead, at any time [H]", &PressureWaves::largest_at_wall,
              Bound{.limit = std::numeric_limits<double>::epsilon(),
-                   .reason = "an ulp of the depth: water that rises less is not told from water at rest"});
+                   .reason = "an ulp of the depth: a smaller elevation is indistinguishable from zero"});
 }
 
 PressureWaves compute(const Run& run) {
@@ -63,7 +63,7 @@ void show(const PressureWaves& waves, const Values& values, evidence::Exhibit& e
   show_pressure_waves(exhibit, "", "leader", waves, values.real("threshold"));
   auto& figure = exhibit.figure(
       "waves", "Waves of the source",
-      "Surfaces one above the other, time upwards, in the frame of the source; and the elevation at its centre.");
+      "Surfaces stacked with time upwards, in the frame of the source; and the elevation at its centre.");
   waves.draw_ridges(figure);
   waves.draw_at_source(figure);
 }
@@ -71,16 +71,17 @@ void show(const PressureWaves& waves, const Values& values, evidence::Exhibit& e
 }  // namespace
 
 void moving_pressure_1d(Case& c) {
-  c.title = "A pressure patch at the critical speed sends solitons ahead";
+  c.title = "Solitons ahead of a pressure patch at the critical speed";
   c.source = literature::frank + ", section 3.3; T. Y. Wu, J. Fluid Mech. 184 (1987) 75";
   c.parameters = {
       real("p0", 0.1, "rho g H", {-0.5, 0.5}, "pressure at the centre of the source; negative for suction"),
-      real("half_width", 4.0, "H", {0.25, 50}, "half of the width of the source"),
+      real("half_width", 4.0, "H", {0.25, 50}, "half-width of the source"),
       real("speed", 1.0, "(g H)^(1/2)", {0.1, 2}, "speed of the source"),
       real("time", 150.0, "(H/g)^(1/2)", {20, 1e4}, "length of the run"),
-      real("h", 0.25, "H", {0.02, 0.5}, "distance of markers at rest"),
-      real("tau_over_h", 0.25, "(g H)^(-1/2)", {0.01, 0.7}, "time step over the distance of markers"),
-      real("threshold", soliton_threshold, "H", {1e-4, 1}, "what is higher, ahead of the source, is a soliton"),
+      real("h", 0.25, "H", {0.02, 0.5}, "node spacing at rest"),
+      real("tau_over_h", 0.25, "(g H)^(-1/2)", {0.01, 0.7}, "time step over the node spacing"),
+      real("threshold", soliton_threshold, "H", {1e-4, 1},
+           "an elevation above this, ahead of the source, is a soliton"),
   };
   c.study = Study(claims, compute, show, "set-up");
 }

@@ -1,17 +1,16 @@
 /*
-A pressure source at the critical speed need not send solitons ahead. Frank (1994) found that a *suction* of some width
-lives in a regime of its own: the surface under it rises and falls periodically, for ever, and nothing leaves forward.
+A pressure source at the critical speed need not send solitons ahead. Frank (1994) found a regime of wide *suction* in
+which the surface under the source rises and falls periodically and no soliton leaves ahead.
 
 **Set-up.** As in `moving_pressure_1d`: $p = p_0 \cos^2(\pi z/2w)$, speed 1, still water of depth 1. Three sources:
 pressure $p_0 = 0.1$, $w = 4$; suction $p_0 = -0.1$ of the same width; suction of the half-width $w = 6.5$.
 
-**What is compared.** Whether solitons are ahead of the source at the end, and how regular the peaks of the surface at
-the source are. The leading solitons have the speed of Serre's solitary wave. In the tier `full`,
-six more sources, and the wide suction again with half the spacing and half the step.
+**What is compared.** Whether solitons are ahead of the source at the end, and the regularity of the peaks of the
+surface at the source. The leading solitons have the speed of Serre's solitary wave. In the tier `full`, six more
+sources, and the wide suction again with half the spacing and half the step.
 
-**What to look at.** The third ridge plot: a hump grows under the source, runs ahead of it by a few depths, is caught
-and falls back. It is a soliton that does not get away. At $w = 4$ every such hump escapes; beyond $w = 7$ now and then
-one does.
+**What to look at.** The third ridge plot: an elevation grows under the source, runs ahead of it by a few depths, is
+overtaken and decays: a soliton that does not escape. At $w = 4$ every such elevation escapes; beyond $w = 7$ some do.
 */
 #include <algorithm>
 #include <cmath>
@@ -54,14 +53,14 @@ PressureRun run_of(const Values& values, double time, double fineness = 1) {
 /// The regime is the model's, not the resolution's.
 void claim_resolved(const Claims<PressureWaves>& fine, const Claims<Results>& claims) {
   claims.check(
-      "resolved", "Half the spacing and half the step change its period by less than a hundredth.",
+      "resolved", "The period under the wide suction changes by less than 1 % with half the spacing and half the step.",
       "period / period at twice the spacing",
       [](const Results& r) { return r.fine.value().period().length / r.regimes[wide_suction].waves.period().length; },
       Bound{.limit = 0.01,
-            .reason = "waves of wavenumber 1 travel wrong by h^2/36 and tau^2/24, together 2e-3; the period depends on "
-                      "speeds less the source's, which are several times smaller than speeds",
+            .reason = "the celerity error of waves of wavenumber 1 is h^2/36 and tau^2/24, together 2e-3; the period "
+                      "depends on celerities relative to the source, which are several times smaller",
             .expected = 1});
-  fine.check("resolved-none-ahead", "No soliton runs ahead of the pressure.", "forward solitons present",
+  fine.check("resolved-none-ahead", "The number of solitons ahead of the pressure is zero.", "forward solitons present",
              solitons_ahead,
              Qualitative{.detector = "a peak above 0.03 beyond the front of the source at the end",
                          .reason = "as above",
@@ -76,10 +75,10 @@ void claims(const Values& values, const Claims<Results>& claims) {
     const auto of = claims.of([k](const Results& r) -> const PressureWaves& { return r.regimes.at(k).waves; });
     if (regime.solitons) claim_leading_soliton(of, regime.id + "-leader", regime.source, run);
     claim_pressure_regime(
-        of.only_if(usual_resolution(run), "at another resolution the wide suction may be near the end of its regime"),
+        of.only_if(usual_resolution(run), "at another resolution the wide suction may be near the limit of its regime"),
         regime, run);
   }
-  const auto fine = claims.only_if(values.tier() != Tier::quick, "half the spacing is left to the tier full")
+  const auto fine = claims.only_if(values.tier() != Tier::quick, "half the spacing is computed in the tier full")
                         .at(run_of(values, regimes[wide_suction].time, 2).text());
   claim_resolved(fine.of([](const Results& r) -> const PressureWaves& { return r.fine.value(); }), fine);
 }
@@ -121,11 +120,11 @@ void draw(evidence::Exhibit& exhibit, const std::vector<Computed>& computed) {
   auto& ridges =
       exhibit.figure("frank_pressure", "Three sources at the critical speed",
                      "Surfaces one above the other, time upwards, in the frame of the source. Pressure and suction "
-                     "send solitons ahead; wide suction lifts the surface, time and again, and lets it fall.",
+                     "send solitons ahead; under wide suction the surface rises and falls periodically.",
                      {"frank-pressure"});
   auto& history = exhibit.figure("at_source", "The surface at the source",
-                                 "Under pressure it hardly moves, once up and down for every soliton; under suction a "
-                                 "wave as high as the water is deep grows and leaves, forward or not at all.");
+                                 "Under pressure the surface oscillates slightly, once per soliton; under suction a "
+                                 "wave of the height of the depth grows, and escapes ahead or decays.");
   for (std::size_t k = 0; k <= wide_suction; ++k) {
     computed[k].waves.draw_ridges(ridges);
     computed[k].waves.draw_at_source(history);
@@ -147,12 +146,12 @@ void show(const Results& results, const Values& /*values*/, evidence::Exhibit& e
 }  // namespace
 
 void moving_pressure_regimes(Case& c) {
-  c.title = "Pressure and suction at the critical speed: solitons ahead, or none";
+  c.title = "Pressure and suction at the critical speed: solitons ahead or periodic surface";
   c.source = literature::frank + ", section 3.3; T. Y. Wu, J. Fluid Mech. 184 (1987) 75";
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = {
-      real("h", 0.25, "H", {0.05, 0.5}, "distance of markers at rest"),
-      real("tau_over_h", 0.25, "(g H)^(-1/2)", {0.01, 0.7}, "time step over the distance of markers"),
+      real("h", 0.25, "H", {0.05, 0.5}, "node spacing at rest"),
+      real("tau_over_h", 0.25, "(g H)^(-1/2)", {0.01, 0.7}, "time step over the node spacing"),
   };
   c.published = {{.tiles = {"frank-pressure"}}};
   c.study = Study(claims, compute, show, "the scheme is of second order");

@@ -220,8 +220,9 @@ void claim_leading_soliton(const Claims<PressureWaves>& claims, const std::strin
             return leader.speed / std::sqrt(1 + leader.height);
           },
           Bound{.limit = run.spacing * run.spacing / 36 + std::exp(-8.0),
-                .reason = "k^4 h^2/36, the error of the discrete model's dispersion law, at k = 1, the length of such "
-                          "a wave; and exp(-8), what is still over the source of a wave four of its lengths ahead",
+                .reason =
+                    "k^4 h^2/36, the error of the discrete dispersion relation at k = 1, the length of such a wave; "
+                    "and exp(-8), the remaining elevation over the source of a wave four of its lengths ahead",
                 .expected = 1});
 }
 
@@ -231,20 +232,21 @@ void claim_pressure_regime(const Claims<PressureWaves>& all, const PressureRegim
     return evidence::Claim{regime.id + "-" + id, fmt::format("{} ({}).", text, regime.source.text()), quantity, "1",
                            source};
   };
-  claims.check(regime.solitons ? claim("solitons", "Solitons run ahead of the source", "forward solitons present")
-                               : claim("none-ahead", "No soliton runs ahead of the source", "forward solitons present"),
-               solitons_ahead,
-               Qualitative{.detector = fmt::format("a peak above {:g} beyond the front of the source at the end",
-                                                   soliton_threshold),
-                           .reason = "water escapes forward only as solitons; what is lower is the ripple of the start",
-                           .expected = regime.solitons});
+  claims.check(
+      regime.solitons
+          ? claim("solitons", "The number of solitons ahead of the source is positive", "forward solitons present")
+          : claim("none-ahead", "The number of solitons ahead of the source is zero", "forward solitons present"),
+      solitons_ahead,
+      Qualitative{
+          .detector = fmt::format("a peak above {:g} beyond the front of the source at the end", soliton_threshold),
+          .reason = "water escapes ahead only as solitons; lower elevations are the transient of the start",
+          .expected = regime.solitons});
   if (!regime.periodic) return;
   claims.check(
-      claim("regular",
-            "The distances between peaks of the surface at the source deviate from their mean by at most 3 %",
-            "largest deviation of a distance of peaks from their mean, relative"),
+      claim("regular", "The intervals between surface peaks at the source deviate from their mean by at most 3 %",
+            "largest relative deviation of a peak interval from the mean"),
       [](const PressureWaves& waves) { return relative_spread(settled_distances(waves)); },
-      Bound{regular, "periodic, not chaotic; the first distance, in which the start still shows, is left out"});
+      Bound{regular, "periodic, not chaotic; the first interval, affected by the start, is excluded"});
 }
 
 void show_pressure_waves(evidence::Exhibit& exhibit, const std::string& prefix, const std::string& leader,

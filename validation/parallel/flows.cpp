@@ -149,8 +149,7 @@ evidence::Record begun(const Options& options) {
   record.source = "validation/parallel/flows.cpp";
   record.article =
       std::string(options.layers > 0 ? "Layers of Lagrangian hexahedra" : "The 2DH model of dispersive shallow water") +
-      " on a lattice shared out among processes (MPI); PETSc exchanges what neighbours need and solves "
-      "the system of all "
+      "on a grid distributed over processes (MPI); PETSc exchanges neighbour values and solves the system of all "
       "cells.";
   const Options standard;
   const auto keep = [&](const char* name, auto value, auto usual, const char* unit, const char* meaning) {
@@ -189,22 +188,22 @@ void judge_reflection(evidence::Record& record, const Options& options, const Fi
        "height of the surface at the east side", "depth", "validation/instruments/plan/oblique_wave.hpp"},
       {.value = findings.ahead, .resolution = resolution},
       evidence::Bound{.limit = 1e-5 * std::exp(4 * decay * std::cos(wave.angle()) * options.spacing),
-                      .reason = "the incident wave two columns behind the place where it is 1e-5 high: the "
-                                "east side may lag by one"});
+                      .reason = "the incident wave two columns behind the position where its height is 1e-5: the east "
+                                "side may lag by one"});
   record.check(
       {.id = "incident",
        .text =
            "The height of the incident wave far from the wall agrees with its initial height to second order, (k h)^2.",
        .quantity = "median of its height near the upper end of the window",
        .unit = "depth",
-       .source = "Serre's solitary wave, which the model carries in the limit of fine cells"},
+       .source = "Serre's solitary wave, an exact wave of the model in the limit of fine cells"},
       {.value = findings.incident, .resolution = resolution},
       evidence::Bound{.limit = coarse,
                       .reason = "(k h)^2 for a wave a sech^2(k s) on a lattice of spacing h",
                       .expected = options.amplitude,
                       .relative = true});
   record.check({.id = "wall",
-                .text = "At the wall the wave is higher than the incident one, by at most four times.",
+                .text = "The wave height at the wall lies between 1 and 4 times the incident height.",
                 .quantity = "height at the wall over the height of the incident wave",
                 .source = "J. W. Miles, Resonantly interacting solitary waves, J. Fluid Mech. 79 (1977) 171"},
                {.value = findings.wall / findings.incident, .resolution = resolution},
@@ -219,7 +218,7 @@ void judge_island(evidence::Record& record, const Options& options, const Findin
   constexpr double cotangent = 1 / validation::ConicalIsland::slope;
   record.check(
       {.id = "energy",
-       .text = "Friction takes energy; it rises by no more than the one-step scheme lets it oscillate.",
+       .text = "The energy with friction rises by at most the oscillation of the one-step scheme, (omega tau)^2/4.",
        .quantity = "largest rise of energy over its first value",
        .source = "Frank, Discrete models of incompressible fluid (1994), chapter 1"},
       {.value = findings.energy_rise / findings.energy, .resolution = resolution},
@@ -227,8 +226,8 @@ void judge_island(evidence::Record& record, const Options& options, const Findin
                       .reason = "(omega tau)^2/4, twice an oscillator's amplitude of energy under drift, kick, drift, "
                                 "at the highest frequency sqrt(3 g/depth)"});
   record.check({.id = "run-up",
-                .text = "The island, which lets water pass, is climbed no higher than a plane beach of its slope.",
-                .quantity = "highest place of the shoreline",
+                .text = "The maximum run-up on the island is at most Synolakis' run-up on a plane beach of its slope.",
+                .quantity = "highest shoreline elevation",
                 .unit = "depth",
                 .source = "C. E. Synolakis, The runup of solitary waves, J. Fluid Mech. 185 (1987) 523"},
                {.value = findings.run_up, .resolution = resolution},
@@ -246,9 +245,9 @@ void judge(evidence::Record& record, const Options& options, const Findings& fin
   record.check({.id = "copies",
                 .text = "The difference between the copies that several processes hold of a node is zero.",
                 .quantity = "largest difference between copies",
-                .source = "decomposition of the lattice"},
+                .source = "decomposition of the grid"},
                {.value = findings.rim_difference, .resolution = resolution},
-               evidence::Bound{.limit = 0, .reason = "copies are copied"});
+               evidence::Bound{.limit = 0, .reason = "copies are assigned, not computed"});
   if (options.flow == "reflection") {
     judge_reflection(record, options, findings, resolution);
     return;
@@ -265,7 +264,7 @@ void judge(evidence::Record& record, const Options& options, const Findings& fin
          .source = "Frank, Discrete models of incompressible fluid (1994), chapter 1"},
         {.value = findings.energy_change / findings.energy, .resolution = resolution},
         evidence::Bound{.limit = 1e-11 * static_cast<double>(findings.steps),
-                        .reason = "sweeps end at the latest when velocities change by 1e-11 of the largest"});
+                        .reason = "sweeps end when velocities change by less than 1e-11 of the largest"});
     return;
   }
   // Squares of the models' frequencies are below 3 for columns (alpha = 1/3, unit depth and gravity), below 2 over the
@@ -273,7 +272,7 @@ void judge(evidence::Record& record, const Options& options, const Findings& fin
   const double fastest = options.layers > 0 ? 2 * static_cast<double>(options.layers) : 3;
   record.check(
       {.id = "energy",
-       .text = "Energy stays within what the one-step scheme lets it oscillate by.",
+       .text = "The energy change is within the oscillation of the one-step scheme, (omega tau)^2/4.",
        .quantity = "largest change of energy over its first value",
        .source = "Frank, Discrete models of incompressible fluid (1994), chapter 1"},
       {.value = findings.energy_change / findings.energy, .resolution = resolution},

@@ -35,13 +35,13 @@ WantedTable wanted_gauges(const Wave& wave, const Values& values) {
   return {
       .name = "gauges",
       .kind = WantedTable::Kind::series,
-      .group = Column{"x", "m", "place of the gauge, from where a crest is at t = 0"},
+      .group = Column{"x", "m", "position of the gauge, from a crest at t = 0"},
       .abscissa = Column{"t", "s", "time, once the waves are settled at every gauge; for gravity 1 m/s^2, depth 1 m"},
       .quantities = {{.column = {"eta", "m", "surface elevation above the mean level"},
                       .reference = [wave](Place p) { return wave->elevation(p.group, p.abscissa); },
                       .requirements = {within_tolerance(
                           Measure::amplitude_ratio, values,
-                          "The height of the wave agrees with the exact wave within the tolerance, by default 3.5 %.",
+                          "The wave height agrees with the exact wave within the tolerance, by default 3.5 %.",
                           attenuation_source, 1)}}},
       .groups = places,
       .points = [last](double) { return evenly(0, last, seen_periods * (asked - 1) / 4 + 1); },
@@ -123,32 +123,32 @@ std::vector<WantedTable> wanted_waves(const Values& values) {
   const Lazy<std::vector<double>> times([wave, values] {
     return each(ways(values.integer("periods")), [&](const double way) { return way * period_of(*wave); });
   });
-  return {{.name = "surface",
-           .kind = WantedTable::Kind::profile,
-           .group = Column{"t", "s", "time since a crest was at x = 0, for gravity 1 m/s^2 and depth 1 m"},
-           .abscissa = Column{"x", "m", "position, over one wavelength"},
-           .quantities =
-               {{.column = {"eta", "m", "surface elevation above the mean level"},
-                 .reference = [wave](Place p) { return wave->elevation(p.abscissa, p.group); },
-                 .requirements =
-                     {within_tolerance(
-                          Measure::amplitude_ratio, values,
-                          "The height of the wave agrees with the exact wave within the tolerance, by default 3.5 %.",
-                          attenuation_source, 1),
-                      {.measure = Measure::shift,
-                       .criterion = Bound{.limit = per_wavelength * values.real("length") * values.number("periods"),
-                                          .reason = per_wavelength_reason + ", over all of them"},
-                       .text = "The phase of the wave agrees with the exact wave at every "
-                               "instant within 0.5 % of the whole way.",
-                       .source = attenuation_source}}}},
-           .groups = times,
-           .points = [wave](double) { return evenly(0, wave->wavelength(), asked); },
-           .exact =
-               [wave, times] {
-                 return std::vector{
-                     exact_command(*wave, fmt::format("x=0:{:.17g}:{},t={:.17g}:{:.17g}:{}", wave->wavelength(), asked,
-                                                      times->front(), times->back(), times->size()))};
-               }}};
+  return {
+      {.name = "surface",
+       .kind = WantedTable::Kind::profile,
+       .group = Column{"t", "s", "time since a crest was at x = 0, for gravity 1 m/s^2 and depth 1 m"},
+       .abscissa = Column{"x", "m", "position, over one wavelength"},
+       .quantities =
+           {{.column = {"eta", "m", "surface elevation above the mean level"},
+             .reference = [wave](Place p) { return wave->elevation(p.abscissa, p.group); },
+             .requirements =
+                 {within_tolerance(Measure::amplitude_ratio, values,
+                                   "The wave height agrees with the exact wave within the tolerance, by default 3.5 %.",
+                                   attenuation_source, 1),
+                  {.measure = Measure::shift,
+                   .criterion = Bound{.limit = per_wavelength * values.real("length") * values.number("periods"),
+                                      .reason = per_wavelength_reason + ", over all of them"},
+                   .text = "The phase of the wave agrees with the exact wave at every instant within 0.5 % of the "
+                           "distance travelled.",
+                   .source = attenuation_source}}}},
+       .groups = times,
+       .points = [wave](double) { return evenly(0, wave->wavelength(), asked); },
+       .exact =
+           [wave, times] {
+             return std::vector{
+                 exact_command(*wave, fmt::format("x=0:{:.17g}:{},t={:.17g}:{:.17g}:{}", wave->wavelength(), asked,
+                                                  times->front(), times->back(), times->size()))};
+           }}};
 }
 
 void judge_waves(const Values& values, const Submitted& submitted, const SolverFacts& facts, evidence::Record& record) {
@@ -163,9 +163,9 @@ void judge_waves(const Values& values, const Submitted& submitted, const SolverF
     stations.push_back(flume ? at_gauge(wave, group) : at_instant(wave, group));
   }
   const evidence::Claim decay{"decay", "The decay of the wave height is at most 0.5 % per wavelength.",
-                              "decay of the fundamental in a wavelength", "1", attenuation_source};
-  const evidence::Claim phase{"phase", "The speed of the wave agrees with the exact celerity within 0.5 %.",
-                              "lead of the phase in a wavelength", "wavelengths", attenuation_source};
+                              "decay of the fundamental per wavelength", "1", attenuation_source};
+  const evidence::Claim phase{"phase", "The celerity agrees with the exact wave within 0.5 %.",
+                              "phase lead per wavelength", "wavelengths", attenuation_source};
   if (way.size() < 2) {
     for (const evidence::Claim& claim : {decay, phase}) {
       record.leave_out({claim, flume ? "a rate needs two gauges" : "a rate needs two instants"});
@@ -179,7 +179,7 @@ void judge_waves(const Values& values, const Submitted& submitted, const SolverF
       fmt::format("{} {} over {:g} wavelengths", way.size(), flume ? "gauges" : "instants", way.back());
   if (facts.cell) {
     record.measure("cells_per_height", values.real("height") / *facts.cell);
-    resolution += fmt::format(", {:.3g} cells in the height", values.real("height") / *facts.cell);
+    resolution += fmt::format(", {:.3g} cells over the height", values.real("height") / *facts.cell);
   }
   if (facts.seconds) record.measure("seconds_per_wavelength", *facts.seconds / way.back());
   const Bound slight{.limit = per_wavelength, .reason = per_wavelength_reason};

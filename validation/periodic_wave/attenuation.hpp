@@ -14,7 +14,7 @@ inline const std::string attenuation_source = "Schwartz (1974); Synolakis et al.
 /// What a wavelength may take from the height, and as much of a wavelength from the phase.
 inline constexpr double per_wavelength = 0.005;
 inline const std::string per_wavelength_reason =
-    "half a per cent in a wavelength: after ten the 5 % that tsunami benchmarks allow against exact solutions "
+    "0.5 % per wavelength: after ten wavelengths the 5 % that tsunami benchmarks allow against exact solutions "
     "(Synolakis et al. 2008)";
 
 /// Depth, gravity and density 1.

@@ -1,25 +1,25 @@
 /*
-Gerstner's wave is exact at any height, and the path of every particle is known:
+Gerstner's wave is exact at any height, with known particle paths:
 
 $$x = a - R\sin(a - t), \qquad y = b + R\cos(a - t), \qquad R = A e^{b},$$
 
-with wavenumber and gravity 1. It has vorticity, which a Lagrangian mesh carries along without any effort.
+with wavenumber and gravity 1. Its vorticity is carried by a Lagrangian mesh without error.
 
 **Set-up.** One wavelength of labels, $0 \le a \le 2\pi$, $-2 \le b \le 0$, in $4n$ by $2n$ cells. The nodes of both
 sides and of the bottom follow their exact paths; the surface is free. A step is `tau_over_h` rows of $h = 1/n$.
 
-**What is compared.** Places of the free nodes, the pressure in the cells, which depends on $b$ alone, and the shape of
-the surface. The root mean square is taken over the components of all free nodes. What is largest, the shape and the
-pressure are evaluated in the middle half of the wave, away from the nodes that are led.
+**What is compared.** Positions of the free nodes, cell pressures, which depend on $b$ alone, and the shape of the
+surface. The rms is taken over the components of all free nodes. Maxima, shape and pressure are evaluated in the middle
+half of the wave, away from the prescribed nodes.
 
-**What to look at.** The shape and the pressure are of second order, the places of surface nodes of first. A surface
-node feels the gradient of the dynamic pressure half a cell too deep and slips along the surface. For small waves
+**What to look at.** Shape and pressure converge at second order, positions of surface nodes at first. A surface node
+feels the gradient of the dynamic pressure half a cell below it and slips along the surface. For small waves
 
 $$\mathrm{slip} = \tfrac{h}{2} A\,\bigl[\sin(a - t) - \sin a + t \cos a\bigr],$$
 
-which also drifts: the water's orbits close, orbits of the surface nodes do so only as $h \to 0$. The second figure
-shows the slip beside this estimate. At its ends the slip meets nodes that are led and do not slip. There the mesh
-zigzags within a few cells, a little more on finer meshes.
+including a drift: the orbits of the water are closed, the orbits of surface nodes only as $h \to 0$. The second figure
+shows the slip beside this estimate. At its ends slipping nodes meet prescribed ones, and the mesh zigzags within a few
+cells, slightly more on finer meshes.
 */
 #include <algorithm>
 #include <cmath>
@@ -185,14 +185,15 @@ std::vector<long> meshes_up_to(long n) {
 RefinementStudy study_of(const Values& values) {
   return {
       .quantities =
-          {{"shape", "shape of the surface", "The shape of the surface is of second order.",
-            Order{2, 0.2, "second order, and what the ends, where slipping nodes meet led ones, leave at a distance"}},
+          {{"shape", "shape of the surface", "The error of the surface shape converges at second order.",
+            Order{2, 0.2,
+                  "second order, with the remaining effect of the ends, where slipping nodes meet prescribed ones"}},
            {"pressure", "pressure, rms", "The pressure converges at second order in the cell size.",
             Order{2, 0.2, "the same"}},
-           {"position", "places, rms", "Places of all nodes are of order 1.5 in the root mean square.",
-            Order{1.5, 0.1, "errors of first order in a layer of one cell"}},
-           {"largest", "places, largest", "Surface nodes slip along the surface to first order.",
-            Order{1, 0.1, "slip of half a cell's pressure gradient; the next term is of second order"}}},
+           {"position", "places, rms", "The rms error of all node positions converges at order 1.5.",
+            Order{1.5, 0.1, "first-order errors in a layer of one cell"}},
+           {"largest", "places, largest", "The slip of surface nodes converges at first order.",
+            Order{1, 0.1, "slip by the pressure gradient half a cell below; the next term is second-order"}}},
       .source = "Gerstner (1804); Lamb, Hydrodynamics (1932), section 251",
       .coarsest = values.integer("n") / 4};
 }
@@ -233,9 +234,8 @@ void draw_wave(const Flow& flow, const Wave& wave, evidence::Exhibit& exhibit) {
 void draw_slips(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   const double amplitude = values.real("amplitude");
   const double time = values.real("time");
-  auto& panel =
-      add_panel(exhibit, "slip", "Slip of surface nodes",
-                "Horizontal distance of surface nodes from where they should be, in rows.", {.x = "a", .y = "slip/h"});
+  auto& panel = add_panel(exhibit, "slip", "Slip of surface nodes",
+                          "Horizontal error of surface node positions, in row heights.", {.x = "a", .y = "slip/h"});
   for (std::size_t m = 0; m < r.slips.size(); ++m) {
     panel.line(fmt::format("n = {:g}", r.refinement.n()[m]), r.slips[m].label, r.slips[m].slip);
   }
@@ -248,7 +248,7 @@ void draw_slips(const Results& r, const Values& values, evidence::Exhibit& exhib
 void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   const RefinementStudy study = study_of(values);
   study.draw(r.refinement, add_panel(exhibit, "convergence", "Errors under refinement",
-                                     "Against the number of rows in a unit of depth; grey lines have slopes 1 and 2.",
+                                     "Against the number of rows per unit depth; grey lines have slopes 1 and 2.",
                                      {.x = "n", .y = "error", .log_x = true, .log_y = true}));
   draw_slips(r, values, exhibit);
   draw_wave(r.flows.front(), *r.wave, exhibit);

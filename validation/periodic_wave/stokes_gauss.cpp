@@ -1,25 +1,24 @@
 /*
-Periodic waves of large amplitude travel without a change of shape. Frank's figure 9 shows such waves, computed with
-free particles under Gauss's principle of least constraint, against Schwartz (1974).
+Periodic waves of large amplitude travel without change of shape. Frank's figure 9 shows such waves, computed with
+Gauss-principle particles, and the solution of Schwartz (1974).
 
 **Set-up.** Three waves of length $2\pi$ on water of mean depth $\pi$, of heights 0.4, 0.6 and 0.8, in units of $g$ and
-of the density: the last has nine tenths of the greatest height. A fourth one is nearly a train of solitary waves:
-length 30, depth 1, height 0.3, with five halves as many cells and steps. Particles in columns and rows that follow
-the exact surface carry the exact velocities, ten to a cell's side, of which the source says nothing; masses of the
-rows next to the surface and to the bottom are end-corrected. The space of fields consists of cubic splines on square
-cells; markers trace the surface. Gravity is the potential energy of the water under the line of markers, Frank's (7),
-so that energy and momentum are exact.
+of the density: the last has 90 % of the maximum height. A fourth is nearly a train of solitary waves: length 30, depth
+1, height 0.3, with 2.5 times as many cells and steps. Particles in columns and rows that follow the exact surface carry
+the exact velocities, ten per cell side (the source states no number); masses of the rows next to surface and bed are
+end-corrected. The space of fields consists of cubic splines on square cells; markers trace the surface. Gravity is the
+potential energy of the water under the line of markers, Frank's (7), so that energy and momentum are exact.
 
-**What is compared.** The surface after three periods with the exact one, moved by $c t$; the phase, which leads or lags
-by what the steps make it.
+**What is compared.** The surface after three periods with the exact one, translated by $c t$; the phase, whose lead or
+lag follows from the time steps.
 
-**What to look at.** The markers lie on the exact curves. The steepest wave needs its ten particles: with 6, 8, 10, 12
-and 16 to a side its surface errs by 0.0105, 0.0038, 0.0019, 0.0015 and 0.0016. Frank's projection scheme (`scheme =
-dissipative`, `gravity = particles`) loses a fifth of the energy in the first period.
+**What to look at.** The markers lie on the exact curves. The steepest wave needs ten particles: with 6, 8, 10, 12 and
+16 per cell side its surface error is 0.0105, 0.0038, 0.0019, 0.0015 and 0.0016. Frank's projection scheme (`scheme =
+dissipative`, `gravity = particles`) loses 20 % of the energy in the first period.
 
-**A variant**, of the tier `full`. With `gravity = particles` sums over particles are no exact integrals, gravity feeds
-small eddies and the long wave is lost within a period, unless a penalty on gradients of vorticity (`penalty = 0.01`),
-which is not Frank's, holds them down; it takes energy, which is booked.
+**A variant**, of the tier `full`. With `gravity = particles` sums over particles are not exact integrals, gravity feeds
+small eddies, and the long wave is lost within a period unless a penalty on vorticity gradients (`penalty = 0.01`),
+which is not Frank's, suppresses them; the energy that it dissipates is booked.
 */
 #include <cmath>
 #include <memory>
@@ -170,36 +169,37 @@ void claim_wave(const SetUp& s, const Values& values, const Claims<WaveRun>& cla
   const double turn = 2 * std::numbers::pi / static_cast<double>(s.steps);
   const auto periods = values.number("periods");
   const bool on_surface = values.text("gravity") == "surface";
-  const Bound line{0.01 * s.height,
-                   "a hundredth of the height: in a figure in which the wave is 3 cm high, the width of a line"};
+  const Bound line{0.01 * s.height, "1 % of the height: the line width of a figure in which the wave is 3 cm high"};
   claims.check(s.named("surface"),
-               fmt::format("{}: after {:g} periods the surface is the exact one.", s.name(), periods),
+               fmt::format("The surface after {1:g} periods agrees with the exact wave within 1 % of the height ({0}).",
+                           s.name(), periods),
                "rms difference of the markers' elevations", &WaveRun::rms, line);
   const double linear = std::sqrt(std::tanh(wave.wavenumber() * s.depth) / wave.wavenumber());
   const double excess = wave.phase_speed() / linear - 1;
-  claims.only_if(excess > 0.01, "the wave is so low that its height adds less than 1 per cent to its speed")
-      .check(s.named("phase"),
-             fmt::format("{}: the speed agrees with the exact celerity, but for the lead of the time steps.", s.name()),
-             "lead of the phase per period [wavelengths]", &WaveRun::phase,
-             Bound{.limit = 0.01 * excess,
-                   .reason =
-                       fmt::format("a hundredth of what its height adds to the speed of an infinitesimal wave, {:.3f} "
-                                   "of it; expected: {}",
-                                   excess,
-                                   on_surface ? "-(omega tau)^2/12, the lag of the discrete gradient"
-                                              : "(omega tau)^2/24, leapfrog's lead"),
-                   .expected = on_surface ? -turn * turn / 12 : turn * turn / 24});
+  claims.only_if(excess > 0.01, "the height of this wave adds less than 1 % to its celerity")
+      .check(
+          s.named("phase"),
+          fmt::format("The celerity agrees with the exact wave plus the phase lead of the time steps ({}).", s.name()),
+          "lead of the phase per period [wavelengths]", &WaveRun::phase,
+          Bound{.limit = 0.01 * excess,
+                .reason = fmt::format(
+                    "1 % of the nonlinear excess celerity, {:.3f} of the linear celerity; expected: {}", excess,
+                    on_surface ? "-(omega tau)^2/12, the lag of the discrete gradient"
+                               : "(omega tau)^2/24, leapfrog's lead"),
+                .expected = on_surface ? -turn * turn / 12 : turn * turn / 24});
   claims.only_if(values.real("penalty") > 0, "there is no penalty")
-      .check(s.named("loss"), fmt::format("{}: the penalty takes next to nothing of the energy.", s.name()),
-             "energy taken over the kinetic energy", &WaveRun::loss,
+      .check(s.named("loss"),
+             fmt::format("The energy dissipated by the penalty is below 1 % of the loss of the projection scheme ({}).",
+                         s.name()),
+             "dissipated energy over the kinetic energy", &WaveRun::loss,
              Bound{0.01 * 2 * std::numbers::pi * turn * periods,
-                   "a hundredth of what Frank's projection scheme loses with the same steps, (tau/2) sum m |a|^2 = "
-                   "tau omega^2 times the kinetic energy per unit of time in a linear wave"});
+                   "1 % of the loss of Frank's projection scheme with the same steps, (tau/2) sum m |a|^2 = tau "
+                   "omega^2 times the kinetic energy per unit of time in a linear wave"});
   claims.from("Frank (1994), chapter 6; exact for every space and step")
       .only_if(values.real("penalty") == 0 && on_surface,
-               "a penalty takes energy, and the energy of particles is another")
+               "a penalty dissipates energy, and the energy of particles is a different one")
       .check(
-          s.named("energy"), fmt::format("{}: the energy is conserved to round-off.", s.name()),
+          s.named("energy"), fmt::format("The energy is conserved to round-off ({}).", s.name()),
           "largest change over the kinetic energy", [](const WaveRun& r) { return worst(r.energy); },
           Roundoff{.operations = static_cast<double>(s.steps) * periods,
                    .scale = 2,
@@ -210,7 +210,7 @@ void claims(const Values& values, const Claims<Results>& all) {
   const std::vector<SetUp> waves = set_ups(values);
   for (std::size_t k = 0; k < waves.size(); ++k) {
     const Claims<WaveRun> claims =
-        all.entry(k).at(fmt::format("{} cells, {} particles to a side, {} steps per period", waves[k].cells,
+        all.entry(k).at(fmt::format("{} cells, {} particles per side, {} steps per period", waves[k].cells,
                                     values.integer("per_cell"), waves[k].steps));
     claim_wave(waves[k], values,
                claims.only_if(values.text("scheme") == "conservative",
@@ -257,15 +257,14 @@ void stokes_gauss(Case& c) {
   c.source = source;
   c.parameters = {
       real("height", 0.0, "1", {0, 2}, "from trough to crest; 0: the four waves of the figure"),
-      real("length", 2 * std::numbers::pi, "1", {0.1, 1000}, "of a wave; of all in the figure but the long one"),
-      real("depth", std::numbers::pi, "1", {0.1, 1000}, "on average; of all in the figure but the long one"),
-      integer("cells_per_length", {20, 40, 60}, {8, 400}, "cells of the lattice to a wavelength"),
-      integer("per_cell", {10, 6, 6}, {3, 40}, "particles to a cell's side"),
+      real("length", 2 * std::numbers::pi, "1", {0.1, 1000}, "of a wave; of all in the figure except the long one"),
+      real("depth", std::numbers::pi, "1", {0.1, 1000}, "mean depth; of all in the figure except the long one"),
+      integer("cells_per_length", {20, 40, 60}, {8, 400}, "cells per wavelength"),
+      integer("per_cell", {10, 6, 6}, {3, 40}, "particles per cell side"),
       integer("steps_per_period", {134, 267, 400}, {10, 100000}, "steps to a period"),
       integer("periods", 3, {1, 1000}, "length of the run"),
       integer("degree", 3, {2, 4}, "degree of the splines"),
-      real("penalty", {0, 0.01, 0.01}, "1", {0, 10},
-           "C of the penalty on gradients of vorticity, which the source has not"),
+      real("penalty", {0, 0.01, 0.01}, "1", {0, 10}, "C of the penalty on vorticity gradients, not in the source"),
       choice("gravity", {"surface", "particles", "particles"}, {"particles", "surface"},
              "on every particle, which needs the penalty, or as the potential energy under the line of markers"),
       choice("scheme", "conservative", {"conservative", "dissipative"},

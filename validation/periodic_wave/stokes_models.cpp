@@ -1,30 +1,27 @@
 /*
-Which model should one take? One steep periodic wave travels over one wavelength, by four models: free particles under
-Gauss's principle, the Lagrangian mesh, the discrete dispersive shallow water in one dimension, and weakly compressible
-SPH. The exact wave of the Euler equations tells how far off each is, and the processor what it took.
+Which model suits a steep periodic wave? One wave travels over one wavelength, computed with four models:
+Gauss-principle particles, the Lagrangian mesh, dispersive shallow water in one dimension, and weakly compressible SPH.
+The reference is the exact wave of the Euler equations; processor time is shown beside the error.
 
-**Set-up.** Depth, gravity and density are 1; the wave is $2\pi$ long and 0.2 high, a third of the highest. Particles
-and SPH run in a periodic channel, from exact velocities (SPH: and pressures). Meshes have no period: of three
-wavelengths the nodes of both ends are led on their exact paths, and the wave in the middle counts; what the ends know
-travels with the group and does not reach it in this time. The dispersive model, for which the wave is none, starts from
-the wave of its own equations with the same height and length (`seiche exact serre_cnoidal`). Each is refined in space
-and time together.
+**Set-up.** Depth, gravity and density are 1; $L = 2\pi$, $H = 0.2$, a third of the maximum height. Gauss-principle
+particles and SPH run in a periodic channel, from exact velocities (SPH: and pressures). Meshes are not periodic: over
+three wavelengths the end nodes follow their exact paths, and the middle wave counts; errors of the ends travel at the
+group velocity and do not reach it in this time. The dispersive model starts from the exact wave of its own equations
+with the same height and length (`seiche exact serre_cnoidal`). Each model is refined in space and time together.
 
-**What is compared.** Elevations of markers, nodes or the surface's curve with the exact wave: their root mean square
-over the height, and the phase. The error of particles and mesh falls with the second order; the error of the dispersive
-model against the wave of its own equations, too. Against the Euler equations it stays: the two exact waves are apart,
-mostly by their speed, and where it ends is known beforehand. Times are shown and never scored.
+**What is compared.** Elevations of markers, nodes or the surface curve with the exact wave: rms over the height, and
+the phase. The errors of particles and mesh converge to zero at second order, and so does the error of the dispersive
+model against the wave of its own equations. Against the Euler equations it converges to the distance of the two exact
+waves, mostly a difference of celerity, known beforehand. Times are shown and never scored.
 
-**What to look at.** For a wave six depths long or longer, and where one per cent of the phase is enough, take the
-dispersive model: it takes milliseconds. For a smaller error than that take particles: none is as near for the time they
-take. The mesh is not far behind, twice as far off or more in the same time, and knows the pressures at walls. SPH takes
-a hundred times as long for an error as large as the dispersive model's, most of it lost height, which the spacing
-hardly mends; it is for what the others cannot, water that falls on itself. Particles, too, go on when the surface
-overturns
-(`breaking_gauss`).
+**What to look at.** For waves of $L/h$ of 6 or more and a phase error of 1 %, the dispersive model suffices: it takes
+milliseconds. For a smaller error Gauss-principle particles are the most accurate for their time. The mesh has twice
+their error or more at equal time, and gives wall pressures. SPH takes a hundred times as long for an error as large as
+the error of the dispersive model, most of it lost height, which hardly falls with the spacing; its use is water that
+impacts on itself. Gauss-principle particles, too, continue when the surface overturns (`breaking_gauss`).
 
-**When it is no test.** Nothing is said of walls, shores and breaking, nor of long times: particles keep their energy,
-SPH does not. A longer wave has less dispersion, and the dispersive model less error.
+**Limits of this test.** Walls, shores, breaking and long times are not covered: Gauss-principle particles conserve
+energy, SPH does not. A longer wave has less dispersion, and the dispersive model a smaller error.
 */
 #include <cmath>
 #include <functional>
@@ -149,15 +146,15 @@ void claim_orders(const Claims<Results>& all, const Values& values) {
                  Order{.theory = 2, .tolerance = tolerance, .reason = why});
   };
   const double coarsest = static_cast<double>(cells_of(values).front()) / values.real("length");
-  const auto resolved =
-      all.only_if(coarsest >= 1.5, "its coarsest lattice has less than one and a half cells to the depth")
-          .only_if(values.real("height") <= 0.25, "the third order of the splines shows at the crests of higher waves");
-  second(resolved, "particles-order", "The error of the free particles falls with the second order.", 0.3,
-         "steps of second order, in proportion to the cells, and sums over the particles next to the surface; splines "
-         "are of third order, and a part of the error on coarse lattices",
+  const auto resolved = all.only_if(coarsest >= 1.5, "its coarsest grid has less than 1.5 cells over the depth")
+                            .only_if(values.real("height") <= 0.25,
+                                     "the third-order error of the splines is visible at the crests of higher waves");
+  second(resolved, "particles-order", "The surface error of Gauss-principle particles converges at second order.", 0.3,
+         "second-order steps, in proportion to the cells, and sums over the particles next to the surface; splines are "
+         "third-order, a part of the error on coarse grids",
          [](const Results& r) { return r.particles.order(); });
-  second(all, "mesh-order", "The error of the Lagrangian mesh falls at second order.", 0.2,
-         "second order in space and time; the next term, of third order, is of the surface's slip",
+  second(all, "mesh-order", "The surface error of the Lagrangian mesh converges at second order.", 0.2,
+         "second order in space and time; the next, third-order term comes from the slip of surface nodes",
          [](const Results& r) { return r.mesh.order(); });
   second(all, "dispersive-order",
          "The dispersive model converges at second order to the exact periodic wave of its own equations.", 0.1,
@@ -179,9 +176,8 @@ void claim_dispersion(const Claims<Results>& claims, const Waves& waves) {
             },
             Uncertainty{.expected = expected,
                         .useful = 0.1 * std::abs(expected),
-                        .reason =
-                            "both exact waves are known to round-off; of use where the spacing matters a tenth of "
-                            "what the equations do"});
+                        .reason = "both exact waves are known to round-off; the claim requires a spacing error below a "
+                                  "tenth of the equation error"});
   };
   ends("dispersive-error",
        "The error of the dispersive model against the Euler equations converges to the error of its equations.",
@@ -196,20 +192,20 @@ void claims(const Values& values, const Claims<Results>& all) {
   const Waves waves = waves_of(values);
   const long cells = values.integer("cells");
   claim_orders(all, values);
-  claim_dispersion(all.at(fmt::format("{} markers, and three times half as many", values.integer("markers"))), waves);
+  claim_dispersion(all.at(fmt::format("{} nodes, and three times half as many", values.integer("markers"))), waves);
   const double steps = std::ceil(static_cast<double>(cells) / particles_courant);
   const double turn = 2 * std::numbers::pi / steps;
   const double excess = excess_speed(waves.euler);
   const Claims<Ladder> particles = all.at(fmt::format("{} cells", cells)).of(&Results::particles);
   particles.from("Frank (1994), chapter 6; exact for every space and step")
-      .check("particles-energy", "The energy of the free particles is conserved to round-off.",
+      .check("particles-energy", "The energy of Gauss-principle particles is conserved to round-off.",
              "change over the kinetic energy", &Ladder::energy_change,
              Roundoff{.operations = steps,
                       .scale = 2,
                       .reason = "one rounding per step of the kinetic and of the potential energy"});
   const auto speed = [&](const Claims<Ladder>& claims, const std::string& id, const std::string& text, double expected,
                          double limit, const std::string& why) {
-    claims.only_if(excess > 0.005, "the wave is so low that its height adds less than 0.5 per cent to its speed")
+    claims.only_if(excess > 0.005, "the height of this wave adds less than 0.5 % to its celerity")
         .check(
             id, text, "lead of the phase in one period [wavelengths]",
             [](const Ladder& ladder) { return ladder.lead.back(); },
@@ -219,10 +215,9 @@ void claims(const Values& values, const Claims<Results>& all) {
         "The phase lag of Gauss-principle particles agrees with the lag of their steps, (omega tau)^2/12, within 2 % "
         "of the nonlinear excess speed.",
         -turn * turn / 12, 0.02,
-        "a fiftieth of what its height adds to the wave's speed; expected: -(omega tau)^2/12, the lag of the discrete "
-        "gradient");
+        "2 % of the nonlinear excess celerity; expected: -(omega tau)^2/12, the lag of the discrete gradient");
   const std::string distinguished =
-      "half of what its height adds to the wave's speed: it is this wave and no low one that travels";
+      "half of the nonlinear excess celerity, which distinguishes this wave from a low one";
   speed(all.at(fmt::format("{} rows", values.integer("rows"))).of(&Results::mesh), "mesh-phase",
         "The speed of the wave on the mesh agrees with a wave of its height within half of the nonlinear excess speed.",
         0, 0.5, distinguished);
@@ -231,11 +226,11 @@ void claims(const Values& values, const Claims<Results>& all) {
         "The speed of the SPH wave agrees with a wave of its height within half of the nonlinear excess speed.", 0, 0.5,
         distinguished);
   sph.check(
-      "sph-falls", "The finest lattice of SPH is nearer to the exact wave than one of half as many rows.", "it is",
+      "sph-falls", "The surface error of SPH at the finest spacing is smaller than at twice that spacing.", "it is",
       [](const Ladder& ladder) { return ladder.error.back() < ladder.error.front(); },
       Qualitative{.detector = "rms error of the surface",
-                  .reason = "its sums over neighbours converge, and its viscosity is in proportion to the spacing: "
-                            "with a quarter of the water in a particle it must show"});
+                  .reason = "sums over neighbours converge, and the viscosity is proportional to the spacing: the "
+                            "reduction must be visible at a quarter of the particle mass"});
 }
 
 struct Shown {
@@ -290,10 +285,11 @@ void stokes_models(Case& c) {
   c.parameters = {
       real("height", 0.2, "depth", {0.05, 0.4}, "from trough to crest"),
       real("length", 2 * std::numbers::pi, "depth", {4, 15}, "of the wave"),
-      integer("cells", {28, 42, 56}, {28, 140}, "of the particles' lattice to a wavelength, finest of four"),
+      integer("cells", {28, 42, 56}, {28, 140},
+              "cells of the Gauss-principle particles per wavelength, finest of four"),
       integer("rows", {16, 32, 48}, {8, 96}, "of the mesh, finest of four"),
-      integer("markers", {160, 320, 640}, {80, 2560}, "of the dispersive model to a wavelength, finest of four"),
-      integer("sph_rows", {16, 32, 48}, {12, 96}, "of SPH particles, finest of three"),
+      integer("markers", {160, 320, 640}, {80, 2560}, "nodes of the dispersive model per wavelength, finest of four"),
+      integer("sph_rows", {16, 32, 48}, {12, 96}, "SPH particles over the depth, finest of three"),
   };
   c.study = Study(claims, compute, show, source);
 }

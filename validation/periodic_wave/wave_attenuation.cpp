@@ -1,36 +1,35 @@
 /*
-How much of a wave does a solver lose on its way, and how much too fast or too slow does it go? A swell has to cross a
-basin before it meets the structure that the computation is about: what is lost on the way is lost there.
+How much wave height does a solver lose per wavelength, and how large is its error in phase? A swell crosses a basin
+before it reaches the structure of interest; height lost on the way is missing there.
 
-**Set-up.** Depth, gravity and density are 1. An exact periodic wave of the Euler equations (`seiche exact stokes`),
-$2\pi$ long, travels in a periodic box of one wavelength over a flat bottom without friction; ours in three heights, of
-a twentieth, a tenth and a fifth of the depth. Free particles, the dispersive model and SPH follow it for ten periods.
-The Lagrangian mesh has no period: there a wave in a longer chain is followed, for fewer. The dispersive model, for
-which the wave is none, starts from the wave of its own equations with the same height and length.
+**Set-up.** Depth, gravity and density are 1. An exact periodic wave of the Euler equations (`seiche exact stokes`), $L
+= 2\pi$, travels in a periodic box of one wavelength over a flat frictionless bed; the suite's models run at H/h = 0.05,
+0.1 and 0.2. Gauss-principle particles, the dispersive model and SPH follow it for ten periods. The Lagrangian mesh is
+not periodic: it follows one wave of a longer chain, for fewer periods. The dispersive model starts from the exact wave
+of its own equations with the same height and length.
 
-**What is compared.** After every three quarters of a period, the fundamental of the surface: its amplitude over the
-exact wave, and its phase. After whole periods a wave that stands still, or runs the other way, looks right. What either
-changes by in a wavelength is the slope of a straight line through the instants, so that a wrong beginning is not
-counted. Shown against the cells in the height of the wave, and against what a wavelength takes.
+**What is compared.** At intervals of three quarters of a period, the fundamental of the surface: its amplitude over the
+exact amplitude, and its phase. (After whole periods a wave that is stationary or runs the other way would look
+correct.) The change per wavelength is the slope of a straight line through the instants, so that a wrong initial value
+does not count. It is shown as a function of the cells over the wave height and of the processor time per wavelength.
 
-**For any solver.** `seiche score wave_attenuation --template` asks for the surface at the same instants. Start from the
-exact surface and velocities (`seiche exact stokes --write` gives them to several solvers) with a crest at $x = 0$, in a
-periodic box; `--set height=0.05` asks for a lower wave. A solver without periodic boxes makes the wave in a flume:
-`--set tank=flume` asks for gauges three quarters of a wavelength apart, over four periods once the waves are settled,
-and counts wavelengths of way in place of periods. Histories of volume, energy and momentum are scored where they are
-given. Lost may be half a per cent of the height in a wavelength, and as much of a wavelength in phase: after ten
-wavelengths that is the twentieth that benchmarks of tsunamis allow.
+**For any solver.** `seiche score wave_attenuation --template` prints the points, the surface at the same instants.
+Start from the exact surface and velocities (`seiche exact stokes --write` writes them for several solvers) with a crest
+at $x = 0$, in a periodic box; `--set height=0.05` sets a lower wave. A solver without periodic boxes runs the wave in a
+flume: `--set tank=flume` asks for gauges three quarters of a wavelength apart, over four periods once the waves are
+settled, and counts wavelengths travelled instead of periods. Histories of volume, energy and momentum are scored where
+submitted. The limits are a loss of 0.5 % of the height per wavelength, and 0.5 % of a wavelength in phase: after ten
+wavelengths the 5 % that tsunami benchmarks allow.
 
-**What to look at.** Particles keep the height whatever the lattice, and lag by their steps. The mesh loses a tenth of a
-per cent in a wavelength of ten rows, and less of lower waves. SPH of twelve rows loses a tenth of the
-height in every wavelength, by what its artificial viscosity, $\nu = \alpha h c/8$, takes from a wave: $2 \nu k^2$ in a
-unit of time in the water, and twice as much at the floor, to which its particles stick,
-$k \sqrt{\nu \omega/2}/\sinh 2kd$. It falls with the spacing, to a twentieth at 24 rows: who has ten wavelengths to go
-should not go by it. The dispersive model keeps the height and is late by what its equations are, a hundredth of a
-wavelength in one, however fine it is: for waves this short it is at the end of its own physics, for longer ones within
-it.
+**What to look at.** Gauss-principle particles conserve the height on any grid, and lag by their time-step error. The
+mesh loses 0.1 % of the height per wavelength with ten rows, and less of lower waves. SPH with twelve particles over the
+depth loses a tenth of the height per wavelength by its artificial viscosity, $\nu = \alpha h c/8$: a rate of $2 \nu
+k^2$ in the water, and twice as much, $k \sqrt{\nu \omega/2}/\sinh 2kd$, at the bed, to which its particles stick. The
+loss falls with the spacing, to a twentieth at 24 particles over the depth: do not use it to propagate waves over ten
+wavelengths. The dispersive model conserves the height and lags by the celerity deficit of its equations, 1 % of a
+wavelength per wavelength at any resolution; for longer waves the deficit is smaller.
 
-**When it is no test.** Of breaking, walls, shores, or of wind and friction.
+**Limits of this test.** Breaking, walls, shores, wind and friction are not covered.
 */
 #include <algorithm>
 #include <cmath>
@@ -172,7 +171,7 @@ double viscous_decay(const StokesWave& wave, double spacing) {
 void claim_height(const Claims<Results>& claims, const std::string& model, const std::string& text) {
   claims.from(attenuation_source)
       .check(
-          model + "-height", text, "what a wavelength takes from the height, the worst of three waves",
+          model + "-height", text, "height lost per wavelength, largest of three waves",
           [model](const Results& r) {
             return worst_over_heights(r, model, [](const Course& one) { return one.rates.decay; });
           },
@@ -190,16 +189,16 @@ void claim_particles(const Claims<Results>& claims, const Values& values) {
       "particles-phase",
       "The phase lag of Gauss-principle particles agrees with the lag of their steps, (omega tau)^2/12, within 2 % of "
       "the nonlinear excess speed.",
-      "lead of the phase in a wavelength, the worst of three waves, beside what is expected [wavelengths]",
+      "phase lead per wavelength, largest deviation from the expected lead of three waves [wavelengths]",
       [turn](const Results& r) {
         return worst_over_heights(r, "particles", [&](const Course& one) { return one.rates.lead + turn * turn / 12; });
       },
       Bound{.limit = 0.02 * excess_speed(steepest),
-            .reason = "a fiftieth of what its height adds to the highest wave's speed; expected: -(omega tau)^2/12, "
-                      "the lag of the discrete gradient"});
+            .reason = "2 % of the nonlinear excess celerity of the highest wave; expected: -(omega tau)^2/12, the lag "
+                      "of the discrete gradient"});
   claims.from("Frank (1994), chapter 6; exact for every space and step")
       .check(
-          "particles-energy", "Over all periods the free particles keep their energy to round-off.",
+          "particles-energy", "The energy of Gauss-principle particles is conserved to round-off over all periods.",
           "change over the kinetic energy", [](const Results& r) { return finest(r, "particles").energy_change; },
           Roundoff{.operations = steps * values.number("periods"),
                    .scale = 2,
@@ -214,10 +213,10 @@ void claim_sph(const Claims<Results>& claims, const Values& values) {
   claims.from(attenuation_source)
       .fails({.value = 0.08,
               .width = 0.05,
-              .reason = "its artificial viscosity, which it needs, takes more than that in the water and at "
-                        "the floor: sph-viscous"})
+              .reason = "artificial viscosity, necessary for stability, dissipates more than that in the water and at "
+                        "the bed: sph-viscous"})
       .check("sph-height", "The decay of the highest wave in SPH is at most 0.5 % per wavelength.",
-             "what a wavelength takes from the height of the highest wave", decay,
+             "height lost per wavelength by the highest wave", decay,
              Bound{.limit = per_wavelength, .reason = per_wavelength_reason});
   claims
       .from(
@@ -226,10 +225,10 @@ void claim_sph(const Claims<Results>& claims, const Values& values) {
       .check("sph-viscous",
              "The SPH wave-height decay agrees with linear viscous theory for its artificial viscosity, bulk plus bed "
              "layer.",
-             "what a wavelength takes from the height of the highest wave", decay,
+             "height lost per wavelength by the highest wave", decay,
              Bound{.limit = 0.3,
                    .reason = "viscosity alpha h c/8 of a continuum, 2 nu k^2 and k sqrt(nu omega/2)/sinh(2 k d); the "
-                             "layer at the floor is no thicker than a spacing: a third is left to that",
+                             "bed layer is at most one spacing thick: a third is allowed for that",
                    .expected = viscous,
                    .relative = true});
 }
@@ -237,18 +236,18 @@ void claim_sph(const Claims<Results>& claims, const Values& values) {
 void claims(const Values& values, const Claims<Results>& all) {
   const double length = values.real("length");
   const StokesWave steepest = wave_of(values.real("height"), length);
-  claim_particles(all.at(fmt::format("{} cells to a wavelength", values.integer("cells"))), values);
+  claim_particles(all.at(fmt::format("{} cells per wavelength", values.integer("cells"))), values);
   const Claims<Results> mesh = all.at(fmt::format("{} rows", values.integer("rows")));
-  claim_height(mesh, "mesh", "The wave height on the Lagrangian mesh is constant.");
+  claim_height(mesh, "mesh", "The decay of the wave height on the Lagrangian mesh is at most 0.5 % per wavelength.");
   mesh.from(attenuation_source)
       .check(
           "mesh-phase", "The phase error of the Lagrangian mesh is below 0.5 % of a wavelength per wavelength.",
-          "lead of the phase in a wavelength, the worst of three waves [wavelengths]",
+          "phase lead per wavelength, largest of three waves [wavelengths]",
           [](const Results& r) {
             return worst_over_heights(r, "mesh", [](const Course& one) { return one.rates.lead; });
           },
           Bound{.limit = per_wavelength, .reason = per_wavelength_reason});
-  const Claims<Results> dispersive = all.at(fmt::format("{} markers to a wavelength", values.integer("markers")));
+  const Claims<Results> dispersive = all.at(fmt::format("{} nodes per wavelength", values.integer("markers")));
   claim_height(dispersive, "dispersive",
                "The decay of the wave height in the dispersive model is at most 0.5 % per wavelength.");
   dispersive.from("Serre (1953); Schwartz (1974)")
@@ -256,14 +255,14 @@ void claims(const Values& values, const Claims<Results>& all) {
           "dispersive-phase",
           "The phase lag of the dispersive model agrees with the celerity deficit of its equations within 10 %, at "
           "every height.",
-          "difference over it, the worst of three waves",
+          "relative difference, largest of three waves",
           [length](const Results& r) {
             return worst_over_heights(
                 r, "dispersive", [&](const Course& one) { return one.rates.lead / own_lead(one.height, length) - 1; });
           },
-          Bound{
-              .limit = 0.1,
-              .reason = "both exact waves are known to round-off; a tenth of their difference is left to the spacing"});
+          Bound{.limit = 0.1,
+                .reason =
+                    "both exact waves are known to round-off; a tenth of their difference is allowed for the spacing"});
   claim_sph(all.at(fmt::format("{} rows", values.integer("sph_rows"))), values);
 }
 
@@ -278,16 +277,16 @@ const std::vector<Shown> shown_models{{"particles", "Gauss particles", Role::com
 
 void show(const Results& results, const Values& /*values*/, evidence::Exhibit& exhibit) {
   auto& figure =
-      exhibit.figure("rates", "What a wavelength changes",
-                     "Magnitudes, against the cells in the height of the wave; three heights, two or three sizes.");
-  auto& decay = figure.panel({.x = "cells in the height", .y = "decay of the height", .log_x = true, .log_y = true});
-  auto& phase = figure.panel({.x = "cells in the height", .y = "phase [wavelengths]", .log_x = true, .log_y = true});
-  auto& cost = add_panel(exhibit, "cost", "The larger of both against what it takes",
-                         "Processor time for a wavelength of water over a wavelength of way.",
+      exhibit.figure("rates", "Change per wavelength",
+                     "Magnitudes, against the cells over the wave height; three heights, two or three resolutions.");
+  auto& decay = figure.panel({.x = "cells over the height", .y = "decay of the height", .log_x = true, .log_y = true});
+  auto& phase = figure.panel({.x = "cells over the height", .y = "phase [wavelengths]", .log_x = true, .log_y = true});
+  auto& cost = add_panel(exhibit, "cost", "The larger of both against processor time",
+                         "processor time per wavelength of water and wavelength travelled.",
                          {.x = "processor time [s]", .y = "decay or phase", .log_x = true, .log_y = true});
-  evidence::Table& table = add_table(exhibit, "rates", "What a wavelength changes",
-                                     "Decay of the fundamental and lead of its phase in a wavelength of way.",
-                                     {"model", "height [depth]", "size [depth]", "cells in the height", "decay [1]",
+  evidence::Table& table = add_table(exhibit, "rates", "Change per wavelength",
+                                     "Decay of the fundamental and its phase lead per wavelength travelled.",
+                                     {"model", "height [depth]", "size [depth]", "cells over the height", "decay [1]",
                                       "lead [wavelengths]", "time [s]"});
   for (const Shown& model : shown_models) {
     std::vector<double> cells, decays, phases, seconds, larger;
@@ -305,7 +304,8 @@ void show(const Results& results, const Values& /*values*/, evidence::Exhibit& e
     phase.points(model.name, cells, phases, model.role);
     cost.points(model.name, seconds, larger, model.role);
   }
-  auto& course = exhibit.figure("course", "The highest wave on its way", "The finest of each: its fundamental.");
+  auto& course = exhibit.figure("course", "Height of the highest wave with distance",
+                                "Fundamental at the finest resolution of each model.");
   auto& height = course.panel({.x = "t/T", .y = "height over the exact wave's"});
   auto& lead = course.panel({.x = "t/T", .y = "lead [wavelengths]"});
   for (const Shown& model : shown_models) {
@@ -321,15 +321,15 @@ void wave_attenuation(Case& c) {
   c.title = "Attenuation and phase lag of waves over many wavelengths";
   c.source = "L. W. Schwartz, J. Fluid Mech. 62 (1974) 553; " + literature::frank;
   c.parameters = {
-      real("height", 0.2, "depth", {0.02, 0.4}, "from trough to crest, of the highest of ours; of the one submitted"),
+      real("height", 0.2, "depth", {0.02, 0.4},
+           "from trough to crest: of the highest computed wave, or of the submitted one"),
       real("length", 2 * std::numbers::pi, "depth", {4, 15}, "of the wave"),
-      choice("tank", "box", {"box", "flume"},
-             "what a submitted wave travels in: a periodic box, or a flume with gauges"),
-      integer("periods", 10, {2, 100}, "that it is followed"),
-      integer("mesh_periods", {3, 10, 10}, {2, 100}, "on the mesh, which has no period"),
-      integer("cells", {20, 42, 56}, {20, 140}, "of the particles' lattice to a wavelength, finest"),
+      choice("tank", "box", {"box", "flume"}, "domain of a submitted wave: a periodic box, or a flume with gauges"),
+      integer("periods", 10, {2, 100}, "length of the run"),
+      integer("mesh_periods", {3, 10, 10}, {2, 100}, "length of the run on the mesh, which is not periodic"),
+      integer("cells", {20, 42, 56}, {20, 140}, "cells of the Gauss-principle particles per wavelength, finest"),
       integer("rows", {10, 16, 24}, {6, 96}, "of the mesh, finest"),
-      integer("markers", {80, 160, 320}, {40, 2560}, "of the dispersive model to a wavelength, finest"),
+      integer("markers", {80, 160, 320}, {40, 2560}, "nodes of the dispersive model per wavelength, finest"),
       integer("sph_rows", {10, 24, 36}, {8, 96}, "of SPH particles, finest"),
       tolerance_parameter(),
   };

@@ -1,15 +1,15 @@
 /*
-Loads on piles and pipes follow from the velocities below a wave, and a surface may be right above wrong ones. Below a
-periodic or a solitary wave of the Euler equations they are known to round-off, up to the surface, from
-`seiche exact stokes` and `seiche exact solitary`.
+Loads on piles and pipes follow from the velocities below a wave, which may be wrong under a correct surface. Below a
+periodic or a solitary wave of the Euler equations `seiche exact stokes` and `seiche exact solitary` give them to
+round-off, up to the surface.
 
-**What is compared.** The case shows horizontal and vertical velocity over the depth. It scores others: start from the
-exact surface and velocities with a crest at $x = 0$ (`seiche exact ... --grid`; the periodic wave in one wavelength),
-let the wave run the distance `way`, and submit $u$ and $v$ over the depth in four sections: where the crest is then, on
-its front, and ahead. Heights count from the mean level.
+**What is compared.** The case shows horizontal and vertical velocity over the depth. It accepts external results: start
+from the exact surface and velocities with a crest at $x = 0$ (`seiche exact ... --grid`; the periodic wave in one
+wavelength), run the wave over the distance `way`, and submit $u$ and $v$ over the depth in four sections: at the crest,
+on its front, and ahead. Heights count from the mean level.
 
-**What to look at.** Linear theory beside the crest: too slow above the mean level, too fast at the bed. A solver that
-is dispersive in the mean alone has one velocity over the depth.
+**What to look at.** Linear theory beside the crest: too low above the mean level, too high at the bed. A depth-averaged
+dispersive solver has one velocity over the depth.
 */
 #include <cmath>
 #include <functional>
@@ -96,9 +96,9 @@ Wave compute(const Run& run) {
 void show(const Wave& wave, const Values& values, evidence::Exhibit& exhibit) {
   exhibit.measure("crest_velocity", wave.crest_velocity);
   exhibit.measure("speed", wave.speed);
-  auto& figure = exhibit.figure(
-      "velocities", "Velocities over the depth",
-      "In four sections, from the crest on; the linear wave of the same height below the crest of a periodic one.");
+  auto& figure = exhibit.figure("velocities", "Velocities over the depth",
+                                "In four sections, from the crest on; for a periodic wave also the linear wave of the "
+                                "same height below the crest.");
   auto& along = figure.panel({.x = "u [m/s]", .y = "y [m]"});
   auto& upwards = figure.panel({.x = "v [m/s]", .y = "y [m]"});
   for (const double section : wave.sections) {
@@ -124,8 +124,8 @@ std::vector<WantedTable> wanted(const Values& values) {
     const double off = std::abs(std::remainder(way, wave.period));
     if (off < 0.1 * wave.period) {
       throw std::invalid_argument(
-          fmt::format("way = {:g} is out of range: must be a tenth of the wavelength {:g} or more off a whole number "
-                      "of them, where a wave that never moved is right",
+          fmt::format("way = {:g} is out of range: must differ from whole multiples of the wavelength {:g} by a tenth "
+                      "of it or more, or a stationary wave would be correct",
                       way, wave.period));
     }
   }
@@ -144,10 +144,9 @@ std::vector<WantedTable> wanted(const Values& values) {
   const auto close = [&](double largest) {
     return std::vector<Requirement>{
         {.measure = Measure::largest_error,
-         .criterion =
-             Bound{.limit = values.real("tolerance") * largest,
-                   .reason = "the case's parameter `tolerance`, of the largest such velocity in the sections; by "
-                             "default 3.5 %, which makes 7 % in a drag"},
+         .criterion = Bound{.limit = values.real("tolerance") * largest,
+                            .reason = "the case's parameter `tolerance`, of the largest such velocity in the sections; "
+                                      "by default 3.5 %, equivalent to 7 % of a drag force"},
          .text = "The velocity over the depth agrees with the exact wave within the tolerance, by default 3.5 % of the "
                  "largest.",
          .source = source}};
@@ -155,9 +154,9 @@ std::vector<WantedTable> wanted(const Values& values) {
   WantedTable table{
       .name = "velocities",
       .kind = WantedTable::Kind::profile,
-      .group = Column{"x", "m", fmt::format("place of the section, at t = {:.10g} s", time)},
+      .group = Column{"x", "m", fmt::format("position of the section, at t = {:.10g} s", time)},
       .abscissa = Column{"y", "m", "height above the mean level"},
-      .quantities = {{.column = {"u", "m/s", "horizontal velocity, positive where the wave runs to"},
+      .quantities = {{.column = {"u", "m/s", "horizontal velocity, positive in the wave direction"},
                       .reference = [=](Place p) { return wave.velocity(from_crest(p.group), p.abscissa).u; },
                       .requirements = close(wave.crest_velocity)},
                      {.column = {"v", "m/s", "vertical velocity, positive upwards"},
@@ -204,7 +203,7 @@ void wave_kinematics(Case& c) {
       real("wavelength", 8.0, "m", {1e-6, 1e6}, "of the periodic wave"),
       real("depth", 1.0, "m", {1e-6, 1e6}, "mean depth"),
       real("gravity", 9.81, "m/s^2", {1e-6, 1e6}, "acceleration of gravity"),
-      real("way", 22.0, "m", {1e-6, 1e6}, "distance that the wave runs until velocities are asked for"),
+      real("way", 22.0, "m", {1e-6, 1e6}, "distance travelled when the velocities are requested"),
       tolerance_parameter(),
   };
   c.study = Study(claims, compute, show);

@@ -1,17 +1,17 @@
 /*
 A particle of the method is a rectangle of constant area whose height is the depth; a row of them approximates the
-water, as in the paper's picture of a parabola. When the particles move with their velocities, neighbours overlap or
-part; a rearrangement rebuilds one of the two so that they touch again: in an overlap the one of smaller density, at a
-gap the faster one. If the rebuilt one would become the denser of the two, its position changes as well.
+water, as in the paper's picture of a parabola. When particles move with their velocities, neighbours overlap or
+separate; a rearrangement rebuilds one of the two so that they touch again: in an overlap the one of smaller density, at
+a gap the faster one. If the rebuilt particle would become the denser of the two, its position changes as well.
 
-Rebuilding one particle of a pair moves only the edge they share. So the rule is a choice of a velocity for every edge,
-and the scheme of this suite takes it, with the thrust, from the Riemann problem of the pair: order of processing plays
-no role, areas are kept to all digits, and so is momentum.
+Rebuilding one particle of a pair moves only the edge they share. The rule is therefore a choice of a velocity for every
+edge, which the scheme of this suite takes, with the thrust, from the Riemann problem of the pair: the order of
+processing is irrelevant, and areas and momentum are conserved to all digits.
 
 **What is compared.** The area of the rectangles with the parabola; the areas before and after a rearrangement.
 
-**What to look at.** The third picture of the rearrangement: the edge has gone further than either velocity would take
-it, because the deep particle also pushes.
+**What to look at.** The third picture of the rearrangement: the edge moves farther than with either velocity, because
+the deep particle also exerts a thrust.
 */
 #include <cmath>
 
@@ -82,7 +82,7 @@ void draw_parabola(evidence::Exhibit& exhibit, const particles::Particles& parab
   const std::vector<double> x = evenly(-1, 1, 201);
   auto& panel = exhibit
                     .figure("parabola", "Rectangles approximating a parabola",
-                            "Each has the area of the parabola above it.", {"bzz-fig-2"})
+                            "Each rectangle has the area of the parabola above it.", {"bzz-fig-2"})
                     .panel({.x = "x [m]", .y = "depth h [m]"});
   panel.steps("particles", parabola.edge, depth, Role::computed);
   panel.line("parabola", x, each(x, parabola_depth), Role::exact);
@@ -90,8 +90,8 @@ void draw_parabola(evidence::Exhibit& exhibit, const particles::Particles& parab
 
 void draw_rearrangement(evidence::Exhibit& exhibit, const Results& r, double tau) {
   auto& figure = exhibit.figure("rearrangement", "Rearrangement of two particles",
-                                "Before; moved each with its own velocity, overlapping; "
-                                "rearranged: the shared edge has moved, areas are kept, and both centres have changed.",
+                                "Before; moved, each with its velocity, overlapping; rearranged: the shared edge has "
+                                "moved, areas are conserved, both centres have changed.",
                                 {"bzz-fig-3", "bzz-fig-4"});
   const auto draw = [&](const std::string& title, const particles::Particles& row, double moved) {
     auto& panel = figure.panel(
@@ -112,19 +112,23 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const double tau = values.real("time_step");
   claims.at(fmt::format("N = {}", n))
       .from("integral of 1 - x^2 over [-1, 1]")
-      .check("area", "The rectangles hold exactly the water of the parabola.", "area [m^2]", &Results::area,
+      .check("area", "The total area of the rectangles equals the area of the parabola to round-off.", "area [m^2]",
+             &Results::area,
              evidence::Roundoff{.operations = static_cast<double>(40 * n),
                                 .scale = 4.0 / 3,
                                 .reason = "a sum over forty quadrature points per particle, of the size of the area",
                                 .expected = 4.0 / 3});
   const auto after_step = claims.at(fmt::format("tau = {:g} s", tau));
   after_step.from("section 3 of the paper")
-      .check("rearranged-area", "A rearrangement keeps the area of every particle.", "largest change of an area [m^2]",
-             &Results::area_change,
-             evidence::Roundoff{.operations = 1, .scale = 0, .reason = "masses are never written: nothing is rounded"});
+      .check(
+          "rearranged-area", "The area of every particle is conserved exactly in a rearrangement.",
+          "largest change of an area [m^2]", &Results::area_change,
+          evidence::Roundoff{.operations = 1, .scale = 0, .reason = "masses are never written and hence not rounded"});
   after_step.from("a choice of edge velocity, sections 3 and 4 of the paper")
       .check(
-          "edge", "The shared edge moves with the middle velocity of the two particles' Riemann problem.",
+          "edge",
+          "The velocity of the shared edge equals the middle velocity of the two particles' Riemann problem to "
+          "round-off.",
           "position of the edge [m]", [](const Results& r) { return r.after.edge[2]; },
           evidence::Roundoff{.operations = 30,
                              .scale = row().edge[2],

@@ -1,33 +1,31 @@
 /*
-A solitary wave meets a conical island: the laboratory experiment of Briggs, Synolakis, Harkins and Green (1995). Such
-an island is Babi, where the tsunami of Flores (1992) destroyed the villages in the lee.
+A solitary wave meets a conical island: the laboratory experiment of Briggs, Synolakis, Harkins and Green (1995). A
+field example is Babi island, where the tsunami of Flores (1992) destroyed villages in the lee.
 
-**Set-up.** The island is 7.2 m wide at the base, 2.2 m at the top, 0.625 m high, with slopes of 1:4; the water is
-0.32 m deep. Waves of 0.0445, 0.0872 and 0.179 depths (cases A, B, C) come along $x$, as high as the gauges in front of
-the island show them; stated are 0.045, 0.096 and 0.181. Half the basin is computed. The
-lattice goes around the island; its first row of markers is the shoreline, which slides on the bottom. The bottom is a
-bicubic spline through elevations on a raster of 0.1 m, as for a surveyed coast, and as rough as smooth concrete,
-Manning's $n$ = 0.012 s/m$^{1/3}$, a handbook's value and not fitted. A force between the shoreline and the next row,
-which keeps momentum, takes differences of their speeds along the shore away within a tenth of a second. Fronts that
-are steeper than 30 degrees break, as in one dimension, until they are no bore any more: neighbours exchange momentum.
-The lattice is rezoned: its nodes slide back along their rows to the lines of their columns, where the water runs down
-the film that it leaves is drawn after it, and the shoreline is no steeper than 2 against its columns. Walls are
-reflecting; they stand where their echo comes too late to matter.
+**Set-up.** The island is 7.2 m wide at the base, 2.2 m at the top, 0.625 m high, with slopes of 1:4; the water is 0.32
+m deep. Waves of H/h = 0.0445, 0.0872 and 0.179 (cases A, B, C), the heights recorded in front of the island, propagate
+along $x$; the stated heights are 0.045, 0.096 and 0.181. Half of the basin is computed. The mesh surrounds the island;
+its first row of nodes is the shoreline, which slides on the bed. The bathymetry is a bicubic spline through elevations
+on a raster of 0.1 m, as for a surveyed coast, with the roughness of smooth concrete, Manning's $n$ = 0.012 s/m$^{1/3}$,
+a handbook value and not fitted. A momentum-conserving force between the shoreline and the next row removes differences
+of their longshore velocities within 0.1 s. Fronts steeper than 30 degrees break, as in one dimension, until they are no
+longer a bore: neighbours exchange momentum. The mesh is rezoned: nodes slide back along their rows to the lines of
+their columns, a film left by the run-down is drawn after the water, and the slope of the shoreline against its columns
+is limited to 2. Walls are reflecting, at distances from which reflections arrive too late to matter.
 
-**What is compared.** The maximum run-up $R/A$ by the angle from the front of the island with the measurements, and with
-the shallow-water model of Liu et al. (1995). $A$ is the nominal height, 0.05, 0.1 and 0.2 depths, as the publisher of
-the table turns $R/A$ into metres. All measured angles count; where the lattice tangles before the water has
-been highest, what it has reached by then.
+**What is compared.** The maximum run-up $R/A$ as a function of the angle from the front of the island with the
+measurements, and with the shallow-water model of Liu et al. (1995). $A$ is the nominal height over the depth, 0.05, 0.1
+and 0.2, with which the publisher of the table converts $R/A$ into metres. All measured angles count; where the mesh
+tangles before the maximum run-up, the highest elevation reached by then.
 
-**What to look at.** The crest bends around the island, and its two ends meet behind it: there the water climbs nearly
-as high as in front, though the sides saw much less. All three waves pass the island with columns down to 0.25 m apart,
-A and B with 0.125 m too; there the lattice of C tangles when its two fronts have met behind the island and run back.
-Wave C breaks at the sides: there the model climbs higher than the water of the experiment, whose wave is spent, with
-columns 0.35 m apart by half on average, with 0.25 m by a third; with 0.125 m it climbs as high, within 15 % at every
-angle. Without breaking, without drawing the film after the water and with a remap that may dry columns, the lattice of
-C tangles as the water runs down in front of the island, with columns 0.35 m apart at 4.6 s, and the lattice of B behind
-it, with 0.25 m at 9.5 s. Where only steep places break and not the whole of their front, the model of C climbs two to
-four times as high at the sides as the water of the experiment.
+**What to look at.** The crest bends around the island, and its two ends meet behind it: there the run-up is nearly as
+high as in front, and much higher than at the sides. All three waves pass the island on columns down to 0.25 m wide, A
+and B on 0.125 m too; there the mesh of C tangles after its two fronts have met behind the island and run back. Wave C
+breaks at the sides, where the experimental wave has lost its energy: there the computed run-up is higher than measured,
+by half on average on columns 0.35 m wide, by a third on 0.25 m, and within 15 % at every angle on 0.125 m. Without
+breaking, without the drawn film and with a remap that may dry columns, the mesh of C tangles during run-down in front
+of the island, at 4.6 s on columns 0.35 m wide, and the mesh of B behind it, at 9.5 s on 0.25 m. With breaking of steep
+nodes only instead of whole fronts, the run-up of C at the sides is two to four times the measured one.
 */
 #include <algorithm>
 #include <array>
@@ -101,7 +99,7 @@ struct Passed {
 };
 
 std::string resolution(double spacing, double step) {
-  return fmt::format("columns {:g} m apart, tau = {:.3g} s", spacing, step);
+  return fmt::format("columns {:g} m wide, tau = {:.3g} s", spacing, step);
 }
 
 using Observe = std::function<void(const Flow& flow, double time)>;
@@ -179,42 +177,44 @@ bool resolves_breaking(double spacing) {
 void claim_runup(const Claims<std::vector<Passed>>& claims, const Wave& wave, double spacing, const io::Table& data) {
   const evidence::Claim runup{
       "runup-" + wave.name,
-      fmt::format("Case {}: the run-up all around the island agrees with the measurements.", wave.name),
+      fmt::format(
+          "The run-up around the island agrees with the measurements within the expanded uncertainty (wave {}).",
+          wave.name),
       "rms of R/R_measured - 1, of all nine angles", "1", source};
   const Uncertainty criterion{
       .data = reference_source("conical_island_runup").standard_uncertainty.at("R_over_A").value,
       .useful = 0.25,
       .reason =
-          "10 % of the measurements (assumed), as mirror pairs of angles differ by 5 to 10 %; the model's own from two "
-          "spacings, of first order"};
+          "10 % of the measurements (assumed), since mirror pairs of angles differ by 5 to 10 %; numerical: from two "
+          "spacings, first-order"};
   const auto off = [data](const std::vector<Passed>& spacings) { return deviation_of(spacings, data); };
   if (wave.name != "C") {
-    claims.only_if(wave.name == "A" || spacing < 0.3, "columns 0.35 and 0.7 m apart differ by more than decides")
+    claims.only_if(wave.name == "A" || spacing < 0.3, "columns 0.35 and 0.7 m wide differ by more than the limit")
         .check(runup, off, criterion);
   } else {
     claims
         .fails({.width = std::numeric_limits<double>::infinity(),
-                .reason = "the wave breaks at the sides of the island, where the water of the experiment "
-                          "climbs less high than the model's; finer columns come nearer"},
+                .reason = "the wave breaks at the sides of the island, where the computed run-up exceeds the measured "
+                          "one; the difference falls with the column width"},
                !resolves_breaking(spacing))
         .check(
             runup, [data](const std::vector<Passed>& spacings) { return deviation(spacings.front(), data); },
             Bound{.limit = 0.2,
-                  .reason = "twice the 10 % of the measurements; the model's own is not of first order where the wave "
-                            "breaks, so that two spacings do not tell it"});
+                  .reason = "twice the 10 % of the measurements; the numerical error is not first-order where the wave "
+                            "breaks and cannot be estimated from two spacings"});
   }
   claims
       .fails({.value = 1,
               .width = 0,
-              .reason = "directly behind the island, where the two fronts meet, the lattice tangles within 0.25 s "
-                        "after the water was highest"},
+              .reason = "directly behind the island, where the two fronts meet, the mesh tangles within 0.25 s of the "
+                        "maximum run-up"},
              wave.name == "C" && resolves_breaking(spacing))
       .check(
           "climbed-" + wave.name,
-          fmt::format(
-              "Case {}: the number of measured angles whose run-up is not over before the grid tangles is zero.",
-              wave.name),
-          "measured angles where it is not",
+          fmt::format("The number of measured angles whose maximum run-up is not reached before the mesh tangles is "
+                      "zero (wave {}).",
+                      wave.name),
+          "measured angles without a maximum",
           [data](const std::vector<Passed>& spacings) {
             return std::ranges::count_if(data.column("angle"),
                                          [&](double angle) { return !spacings.front().saw(angle); });
@@ -224,28 +224,30 @@ void claim_runup(const Claims<std::vector<Passed>>& claims, const Wave& wave, do
 
 void claim_whole(const Claims<std::vector<Passed>>& claims, const Wave& wave, double spacing) {
   claims
-      .fails(
-          {.value = 0,
-           .width = 0,
-           .reason =
-               "the two fronts have met behind the island and run back, where columns beside the shoreline fall dry"},
-          wave.name == "C" && resolves_breaking(spacing))
+      .fails({.value = 0,
+              .width = 0,
+              .reason =
+                  "after meeting behind the island the two fronts run back, and columns beside the shoreline fall dry"},
+             wave.name == "C" && resolves_breaking(spacing))
       .check(
-          "whole-" + wave.name, fmt::format("Case {}: the wave passes the island entirely.", wave.name),
-          "wave fronts met behind the island, lattice sound",
+          "whole-" + wave.name,
+          fmt::format("The mesh remains untangled until 6 s after the crest passes the island's centre (wave {}).",
+                      wave.name),
+          "wave fronts met behind the island, mesh untangled",
           [](const std::vector<Passed>& spacings) {
             return std::ranges::none_of(spacings, [](const Passed& one) { return one.tangled.has_value(); });
           },
-          Qualitative{.detector = "no cell inverts until 6 s after the crest would pass the middle, at either spacing",
-                      .reason = "the water behind the island has run up and down by then"});
+          Qualitative{
+              .detector = "no cell inverts until 6 s after the undisturbed crest passes the centre, at either spacing",
+              .reason = "run-up and run-down behind the island are complete by then"});
 }
 
 void claim_lee(const Claims<Passed>& claims) {
   claims.check(
-      "lee", "Behind the island, where the two ends of the crest meet, the water climbs higher than beside it.",
-      "run-up at 180 degrees over that at 157.5",
+      "lee", "The run-up directly behind the island, at 180 degrees, exceeds 1.2 times that at 157.5 degrees.",
+      "run-up at 180 degrees over run-up at 157.5 degrees",
       [](const Passed& passed) { return passed.saw(180) && passed.at(180) > 1.2 * passed.at(157.5); },
-      Qualitative{.detector = "run-up at 180 degrees above 1.2 times that at 157.5 degrees",
+      Qualitative{.detector = "run-up at 180 degrees above 1.2 times the run-up at 157.5 degrees",
                   .reason = "measured: 1.6 times"});
 }
 
@@ -297,15 +299,14 @@ Results compute(const Run& run) {
 }
 
 void draw_runup(evidence::Exhibit& exhibit, const Results& r, const io::Table& table) {
-  auto& figure =
-      exhibit.figure("runup", "Run-up around a conical island",
-                     "Against the angle from the front. Measurements with their uncertainty; the model as far as the "
-                     "wave has passed, should the lattice tangle; the shallow-water model of Liu et al. (1995).");
+  auto& figure = exhibit.figure("runup", "Run-up around a conical island",
+                                "Against the angle from the front. Measurements with their uncertainty; the model up "
+                                "to tangling, if any; the shallow-water model of Liu et al. (1995).");
   for (std::size_t k = 0; k < r.passed.size(); ++k) {
     const Passed& passed = r.passed[k].front();
     const io::Table data = measured(table, waves[k].stated);
     auto& panel = figure.panel(
-        {.x = "angle [deg]", .y = "R/A", .title = fmt::format("{}: A = {:g} depths", waves[k].name, waves[k].nominal)});
+        {.x = "angle [deg]", .y = "R/A", .title = fmt::format("{}: A/h = {:g}", waves[k].name, waves[k].nominal)});
     const std::vector<double> highest = passed.envelope.runup();
     std::vector<double> angle, runup;
     for (std::size_t i = 0; i < highest.size(); ++i) {
@@ -326,8 +327,7 @@ void draw_runup(evidence::Exhibit& exhibit, const Results& r, const io::Table& t
 void draw_shown(evidence::Exhibit& exhibit, const Results& r, double height) {
   auto& plans = exhibit.figure(
       "plan", "The wave around the island",
-      fmt::format("Elevation of the surface from above, A = {:g} depths; the white disc is what is dry of the island.",
-                  height));
+      fmt::format("Surface elevation from above, A/h = {:g}; the white disc is the dry part of the island.", height));
   plans.drawing = "film";
   for (const Plan& plan : r.plans) {
     plans

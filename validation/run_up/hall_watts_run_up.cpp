@@ -1,14 +1,13 @@
 /*
-Hall and Watts (1953) let solitary waves run up smooth plane beaches of 5 to 45 degrees, breaking and not, and fitted
-their run-up: $R = 3.05 S^{-0.13} a^{1.15 S^{0.02}}$ from 12 degrees on, $R = 11 S^{0.67} a^{1.9 S^{0.35}}$ below, with
-the slope $S$ and lengths in depths.
+Hall and Watts (1953) measured the run-up of solitary waves, breaking and non-breaking, on smooth plane beaches of 5 to
+45 degrees and fitted $R = 3.05 S^{-0.13} a^{1.15 S^{0.02}}$ from 12 degrees on, $R = 11 S^{0.67} a^{1.9 S^{0.35}}$
+below, with the slope $S$ and lengths over the depth.
 
-**What is compared.** The case shows the law beside the values that Frank (1994) read off the measurements. It scores
-others: the run-up of waves of 0.05 to 0.3 depths on one beach, within the scatter of the experiments. Our models are
-compared with it in `slope_run_up_mesh` and `run_up_table`.
+**What is compared.** The case shows the law beside the values that Frank (1994) read off the measurements. It accepts
+external results: the run-up of waves of H/h = 0.05 to 0.3 on one beach, within the scatter of the experiments. The
+suite's models are compared with the law in `slope_run_up_mesh` and `run_up_table`.
 
-**What to look at.** The law is a fit: 5 % is what such experiments scatter by, and a solver cannot be told from them
-more closely.
+**What to look at.** The law is a fit: such experiments scatter by 5 %, the smallest difference that this case resolves.
 */
 #include <cmath>
 
@@ -32,11 +31,11 @@ HallWatts law_of(const Values& values) {
 
 void show(const HallWatts& law, const Values& values, evidence::Exhibit& exhibit) {
   const std::vector<double> a = evenly(0.05, 0.3, 51);
-  auto& panel = add_panel(exhibit, "runup", "Run-up of solitary waves on a plane beach",
-                          fmt::format("The law on the slope 1 : {:g}, and what Frank read off the measurements on "
-                                      "slopes of up to a hundredth of that beside it.",
-                                      values.real("cot_slope")),
-                          {.x = "a [depth]", .y = "R [depth]"});
+  auto& panel = add_panel(
+      exhibit, "runup", "Run-up of solitary waves on a plane beach",
+      fmt::format("The law on the slope 1:{:g}, and Frank's readings of the measurements on slopes within 1 % of it.",
+                  values.real("cot_slope")),
+      {.x = "a [depth]", .y = "R [depth]"});
   panel.line("law", a, each(a, [&](const double amplitude) { return law.runup(amplitude); }), Role::guide);
   const io::Table table = values.table("frank_1994_runup_hall_watts");
   std::vector<double> measured_a, measured_r;
@@ -51,14 +50,15 @@ void show(const HallWatts& law, const Values& values, evidence::Exhibit& exhibit
 std::vector<WantedTable> wanted(const Values& values) {
   const HallWatts law = law_of(values);
   return {{.name = "runups",
-           .group = Column{"A_over_d", "1", "height of the wave in depths"},
-           .quantities = {{.column = {"R_over_d", "1", "maximum run-up in depths"},
+           .group = Column{"A_over_d", "1", "wave height over depth, H/h"},
+           .quantities = {{.column = {"R_over_d", "1", "maximum run-up over depth, R/h"},
                            .reference = [law](Place p) { return law.runup(p.group); },
                            .requirements = {{.measure = Measure::relative_error,
                                              .criterion = Uncertainty{.data = HallWatts::scatter(),
                                                                       .useful = 0.25,
                                                                       .reason = "scatter of such experiments, assumed"},
-                                             .text = "The run-up agrees with the law of the experiments.",
+                                             .text = "Maximum run-up agrees with the law of Hall and Watts (1953) "
+                                                     "within the scatter of the experiments, 5 %.",
                                              .source = source}}}},
            .groups = {0.05, 0.1, 0.2, 0.3},
            .exact = {fmt::format("seiche exact hall_watts --set amplitude=0.1,cot_slope={}", values.real("cot_slope"))},
@@ -68,11 +68,11 @@ std::vector<WantedTable> wanted(const Values& values) {
 }  // namespace
 
 void hall_watts_run_up(Case& c) {
-  c.title = "Run-up of solitary waves on plane beaches of 5 to 45 degrees: the experiments' law";
+  c.title = "Run-up of solitary waves on plane beaches of 5 to 45 degrees: law of the experiments";
   c.source =
       "J. V. Hall, G. M. Watts, Laboratory investigation of the vertical rise of solitary waves on impermeable slopes, "
       "Beach Erosion Board Tech. Memo. 33 (1953)";
-  c.parameters = {real("cot_slope", 2.747, "1", {1, 11.43}, "cotangent of the beach's angle")};
+  c.parameters = {real("cot_slope", 2.747, "1", {1, 11.43}, "s of the beach slope 1:s")};
   c.study = exact_study<law_of, show>(source);
   c.submission = {.tables = wanted};
 }

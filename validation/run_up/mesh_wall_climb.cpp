@@ -132,7 +132,8 @@ std::vector<Parameter> mesh_parameters(ByTier<double> spacing, ByTier<long> rows
       real("h1", spacing, "depth", {0.02, 2}, "width of the columns"),
       integer("rows", rows, {1, 64}, "rows of cells"),
       real("tau", tau, "sqrt(depth/g)", {1e-4, 0.5}, "time step"),
-      choice("scheme", "one_step", {"one_step", "one_step_feedback", "conservative"}, "stepping; Frank's is the first"),
+      choice("scheme", "one_step", {"one_step", "one_step_feedback", "conservative"},
+             "time stepping; the first is Frank's"),
       real("hourglass", 0, "1", {0, 2}, "kappa_0 of the hourglass potential; Frank's model has none"),
   };
 }

@@ -69,8 +69,8 @@ void claim_mild_slopes(const Claims<MildSlopes>& claims) {
   claims.from("Synolakis (1987)")
       .check(
           "small-waves",
-          "The run-up of small waves agrees with the exact shallow-water solution, with either kinetic "
-          "energy, on cotangents 10, 3.732 and 2.747.",
+          "The run-up of small waves agrees with the exact shallow-water solution, with either kinetic energy, on "
+          "slopes 1:10, 1:3.732 and 1:2.747.",
           "largest |R/R_exact - 1|, A = 0.005",
           [](const MildSlopes& r) {
             Worst off;
@@ -81,14 +81,14 @@ void claim_mild_slopes(const Claims<MildSlopes>& claims) {
             return off;
           },
           Bound{.limit = SmallWave::amplitude,
-                .reason = "the theory's incident wave, sech^2 at the speed sqrt(g d), and its lack of dispersion are "
-                          "errors of the order of A"});
+                .reason = "the incident wave of the theory, sech^2 at the speed sqrt(g d), and its lack of dispersion "
+                          "are errors of the order of A"});
   const auto meshes = claims.at("mesh: h1 = 0.5, 0.25, 0.125, extrapolated; finest spacing, tip V/6");
   meshes.from("Frank (1994), section 2.2")
       .check(
           "mild-euler",
-          "On slopes milder than cotangent 2 waves that do not break climb as high with Green and Naghdi's kinetic "
-          "energy as by the Euler equations.",
+          "The run-up of non-breaking waves with the Green-Naghdi kinetic energy agrees with the Euler equations on "
+          "slopes milder than 1:2.",
           "rms of R/R_Euler - 1",
           [](const MildSlopes& r) -> Measurement {
             const auto off =
@@ -100,13 +100,13 @@ void claim_mild_slopes(const Claims<MildSlopes>& claims) {
           Uncertainty{.data = 0.025,
                       .useful = 0.075,
                       .reason = "twice u_data is 5 %, the tolerance of analytical benchmarks in Synolakis et al., NOAA "
-                                "Tech. Memo. OAR PMEL-135 (2007); of the mesh, what the last halving of its cells "
-                                "changes; together less than three quarters of the tenth that is to be explained"});
+                                "Tech. Memo. OAR PMEL-135 (2007); of the mesh, the change by the last halving of its "
+                                "cells; together less than three quarters of the 10 % to be explained"});
   meshes.from("Hall and Watts (1953), in Frank (1994)")
       .check(
           "mild-friction",
-          "There the measurements lie below flow without friction: every one of them is lower than by the Euler "
-          "equations.",
+          "The number of waves with a measured run-up at or above the frictionless Euler run-up on slopes milder than "
+          "1:2 is zero.",
           "waves measured as high or higher",
           [](const MildSlopes& r) {
             Count higher;
@@ -116,17 +116,16 @@ void claim_mild_slopes(const Claims<MildSlopes>& claims) {
             return higher.value();
           },
           Bound{.limit = 0,
-                .reason = "friction takes energy, everything else is in the equations; the run-up of the mesh less its "
-                          "own uncertainty counts"});
+                .reason = "friction dissipates energy, all else is in the equations; the mesh run-up minus its "
+                          "uncertainty counts"});
 }
 
 void show_mild_slopes(const MildSlopes& mild, evidence::Exhibit& exhibit) {
-  evidence::Table& table =
-      add_table(exhibit, "mild", "Without friction on mild slopes",
-                "Waves that do not break on their way up: measured by Hall and Watts; by the Euler "
-                "equations on the Lagrangian mesh, extrapolated, with what the last halving changes; by "
-                "the one-dimensional model with the kinetic energy of Green and Naghdi.",
-                {"cot [1]", "A [depth]", "measured [depth]", "Euler [depth]", "+- [depth]", "Green-Naghdi [depth]"});
+  evidence::Table& table = add_table(
+      exhibit, "mild", "Without friction on mild slopes",
+      "Non-breaking waves: measured by Hall and Watts; Euler equations on the Lagrangian mesh, extrapolated, with the "
+      "change by the last halving; one-dimensional model with the kinetic energy of Green and Naghdi.",
+      {"cot [1]", "A [depth]", "measured [depth]", "Euler [depth]", "+- [depth]", "Green-Naghdi [depth]"});
   for (const EulerRunup& one : mild.euler) {
     table.rows.push_back({one.cot_slope, one.amplitude, one.measured, rounded(one.runup), rounded(one.uncertainty),
                           rounded(one.green_naghdi)});

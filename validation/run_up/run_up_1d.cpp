@@ -1,19 +1,19 @@
 /*
-A solitary wave of height $A$ on water of depth 1 climbs a plane slope of cotangent $\cot\beta$. Frank's
-one-dimensional discrete model follows it: particles that slide along the bottom, markers on the surface, constant water
-between neighbouring markers. The last marker slides on the dry slope. No condition is set at the shoreline, and no
-threshold says what is dry.
+A solitary wave of height $A$ on water of depth 1 climbs a plane slope $1 : \cot\beta$, computed with Frank's
+one-dimensional discrete model: particles that slide along the bed, nodes on the surface, constant volume between
+neighbouring nodes. The last node slides on the dry slope. No condition is imposed at the shoreline, and no threshold
+defines a dry cell.
 
-**Set-up.** The toe of the slope is at $x = -\cot\beta$, the shoreline at rest at $x = 0$. Serre's wave starts where all
-but $10^{-4}$ of its height is before the toe. Gravity is 1. The step is $\tau = h/4$, or less where the water is so
-shallow that this would be more than $0.3$ of the longest stable step. The run-up is the first maximum of the
-shoreline, from a parabola through the three highest steps.
+**Set-up.** The toe of the slope is at $x = -\cot\beta$, the still-water shoreline at $x = 0$. Serre's wave starts where
+all but $10^{-4}$ of its height is before the toe. Gravity is 1. The step is $\tau = h/4$, or 0.3 of the longest stable
+step where shallow water makes that smaller. The run-up is the first maximum of the shoreline, from a parabola through
+the three highest steps.
 
-**What is compared.** The run-up with Synolakis' law $R = 2.831\sqrt{\cot\beta}\,A^{5/4}$, where that law holds: the
-wave does not break on its way up, $A < 0.8183 (\cot\beta)^{-10/9}$, and the beach is long, $A \gg (0.288 \tan\beta)^2$.
+**What is compared.** The run-up with Synolakis' law $R = 2.831\sqrt{\cot\beta}\,A^{5/4}$ in its range of validity: no
+breaking on the way up, $A < 0.8183 (\cot\beta)^{-10/9}$, and a long beach, $A \gg (0.288 \tan\beta)^2$.
 
-**What to look at.** The shoreline of the shallow-water equations beside the model, which comes a little later
-and, with finer markers, rises a little less: what dispersion does.
+**What to look at.** The shoreline of the shallow-water equations beside the model, which lags slightly and, at finer
+spacings, rises slightly less: the effect of dispersion.
 */
 #include <algorithm>
 #include <cmath>
@@ -64,10 +64,10 @@ Surface surface_of(const Flow& flow) {
 /// Time zero of the shoreline is when the undisturbed crest would be at the toe.
 void draw_shoreline(evidence::Exhibit& exhibit, const History& history, const exact::SolitaryRunup& theory,
                     double law) {
-  auto& panel = add_panel(exhibit, "shoreline", "The shoreline",
-                          "Elevation of the water's edge, with the exact shoreline of the shallow-water equations "
-                          "until that breaks, and the run-up law.",
-                          {.x = "t [sqrt(depth/g)] since the crest was at the toe", .y = "elevation [depth]"});
+  auto& panel =
+      add_panel(exhibit, "shoreline", "The shoreline",
+                "Shoreline elevation, with the exact shallow-water shoreline until it breaks, and the run-up law.",
+                {.x = "t [sqrt(depth/g)] since the crest was at the toe", .y = "elevation [depth]"});
   constexpr double visible = 0.01;  // of the law
   const auto rises = std::ranges::find_if(history.shoreline, [&](double y) { return y > visible * law; });
   const auto first = rises == history.shoreline.end() ? 0 : rises - history.shoreline.begin();
@@ -82,8 +82,8 @@ void draw_shoreline(evidence::Exhibit& exhibit, const History& history, const ex
 }
 
 void draw_profiles(evidence::Exhibit& exhibit, const std::vector<Surface>& surfaces, double cot_slope) {
-  auto& figure = exhibit.figure("profiles", "The wave climbs",
-                                "Surface and bottom when the crest is at the toe, and at the maximum run-up.");
+  auto& figure = exhibit.figure("profiles", "Run-up of the wave",
+                                "Surface and bed when the crest is at the toe, and at the maximum run-up.");
   for (const Surface& one : surfaces) {
     const double lowest = -0.3;
     auto& panel = figure.panel(
@@ -114,12 +114,12 @@ void claims(const Values& values, const Claims<Results>& claims) {
       .only_if(theory.nonbreaking(), "the wave breaks on its way up")
       .only_if(climb.amplitude >= much_greater * theory.short_beach_amplitude(), "the beach is too short for the law")
       .check(
-          "law", "The run-up agrees with the run-up law.", "run-up [depth]",
+          "law", "Maximum run-up agrees with Synolakis' run-up law within 5 %.", "run-up [depth]",
           [](const Results& r) { return r.up.height; },
           Bound{.limit = 0.05 + std::abs(theory.highest().elevation / theory.law() - 1),
                 .reason =
-                    "5 %, the tolerance of analytical benchmarks in Synolakis et al., NOAA Tech. Memo. OAR "
-                    "PMEL-135 (2007), and the law's own distance from the integral of which it is the leading term",
+                    "5 %, the tolerance of analytical benchmarks in Synolakis et al., NOAA Tech. Memo. OAR PMEL-135 "
+                    "(2007), and the difference of the law from the integral of which it is the leading term",
                 .expected = theory.law(),
                 .relative = true});
 }
@@ -156,12 +156,12 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 }  // namespace
 
 void run_up_1d(Case& c) {
-  c.title = "A solitary wave climbs a plane slope";
+  c.title = "Run-up of a solitary wave on a plane slope";
   c.source = literature::frank + ", section 3.2; " + literature::synolakis;
   c.parameters = joined({{
-                             real("cot_slope", 10.0, "1", {0.5, 50}, "cotangent of the slope"),
+                             real("cot_slope", 10.0, "1", {0.5, 50}, "s of the slope 1:s"),
                              real("amplitude", 0.03, "depth", {1e-3, 0.6}, "height of the incident wave"),
-                             real("time", 400.0, "sqrt(depth/g)", {1, 1e4}, "the run ends then at the latest"),
+                             real("time", 400.0, "sqrt(depth/g)", {1, 1e4}, "latest end of the run"),
                          },
                          climb_parameters({0.25, 0.125, 0.0625}),
                          slope_parameters()});

@@ -1,18 +1,17 @@
 /*
-Water that runs back from a slope meets what still comes, and a bore forms. Synolakis (1987) gives the height of a
-solitary wave above which that happens, $A > 0.479 (\cot\beta)^{-10/9}$. Frank's one-dimensional model keeps energy: it
-cannot carry a bore, which loses some. This case shows where the model ends, and how.
+Water running back from a slope meets the rest of the incident wave, and a bore forms. Synolakis (1987) gives the height
+of a solitary wave above which this happens, $A > 0.479 (\cot\beta)^{-10/9}$. Frank's one-dimensional model conserves
+energy and cannot represent a bore, which loses energy. The case shows where, and how, the model ends.
 
-**Set-up.** As in `run_up_1d`. Every run goes on through the run-down until the reflected wave has left, or until
-markers cross or the water under one is gone: then the program stops with time, step and place of the failure.
+**Set-up.** As in `run_up_1d`. Every run continues through the run-down until the reflected wave has left, or until
+nodes cross or a column runs dry: the program then stops with time, step and position of the failure.
 
-**What is compared.** Nothing measured: waves above the limit are outside the model's validity, and their run-down is
-not to be used. Claimed is that waves below the limit complete, that no run ends otherwise than with a stated
-failure.
+**What is compared.** No measurement: waves above the limit are outside the validity of the model, and their run-down is
+not to be used. The claims are that waves below the limit complete, and that every other run ends with a stated failure.
 
-**What to look at.** The map of slopes and heights, with the limit. Above it some waves complete with one spacing and
-stop with another; with some the tip, a marker of almost no mass, shoots up when the bore reaches it. The first run-up
-comes before all this and is not affected, but for $A = 0.3$ at cotangent 19.85, which breaks on its way up.
+**What to look at.** The map of slopes and heights, with the limit. Above it some waves complete at one spacing and stop
+at another; in some the tip, a node of almost no mass, shoots up when the bore reaches it. The first run-up precedes all
+this and is not affected, except for $A = 0.3$ on the 1:19.85 beach, where the wave breaks on its way up.
 */
 #include <algorithm>
 #include <cmath>
@@ -169,12 +168,12 @@ struct Results {
 };
 
 void tabulate(evidence::Exhibit& exhibit, const std::vector<Told>& all) {
-  evidence::Table& table = add_table(
-      exhibit, "fates", "Run-down of solitary waves, below and above the limit",
-      "A over the limit; run-up; lowest shoreline and the highest after it; energy at the end over the initial energy; "
-      "how the run ended, time since the maximum run-up. Above the limit only the run-up is to be used.",
-      {"cot [1]", "A [depth]", "A/limit [1]", "h [depth]", "run-up [depth]", "lowest [depth]", "later [depth]",
-       "energy [1]", "end"});
+  evidence::Table& table =
+      add_table(exhibit, "fates", "Run-down of solitary waves, below and above the limit",
+                "A over the limit; run-up; minimum shoreline elevation and the maximum after it; final over initial "
+                "energy; end of the run, time since the maximum run-up. Above the limit only the run-up is valid.",
+                {"cot [1]", "A [depth]", "A/limit [1]", "h [depth]", "run-up [depth]", "lowest [depth]",
+                 "later [depth]", "energy [1]", "end"});
   for (const Told& one : all) {
     const RunDown& fate = one.fate;
     table.rows.push_back({one.wave.cot_slope, one.wave.amplitude, std::round(one.wave.over_limit() * 100) / 100,
@@ -215,7 +214,7 @@ Samples later_heights(const std::vector<Told>& all, bool under, const Property&.
 
 void claim_fates(const Claims<Results>& claims, bool quick) {
   claims.check(
-      "below", "Waves below the limit complete run-up and run-down.", "all do",
+      "below", "Run-up and run-down complete for all waves below the limit 0.479 cot^(-10/9).", "all do",
       [](const Results& r) {
         return all_are(
             r.told, [](const Told& one) { return below(one.wave); },
@@ -224,30 +223,27 @@ void claim_fates(const Claims<Results>& claims, bool quick) {
       Qualitative{.detector = "no failure until the reflected wave has left",
                   .reason = "below 0.479 cot^(-10/9) no bore forms"});
   claims.check(
-      "stated", "A run that stops reports time and position, and its last state is sound.", "all do",
+      "stated", "The failure message of a stopped run gives time and position, and its last state is finite.", "all do",
       [](const Results& r) {
         return all_are(
             r.told, [](const Told& one) { return !one.fate.through(); },
             [](const Told& one) { return one.fate.sound; });
       },
-      Qualitative{.detector = "the failure's time and place are finite, the place is in the water, all markers and "
-                              "rates before it are finite",
+      Qualitative{.detector = "time and position of the failure are finite, the position is in the water, all nodes "
+                              "and rates before it are finite",
                   .reason = "a failure must not pass as a result"});
   claims.check(
-      "later-below",
-      "Below the limit the shoreline later stays below 1.0 times its first run-up, since the returning wave has lost "
-      "energy.",
-      "largest later height of the shoreline over the run-up",
+      "later-below", "The later shoreline elevation below the limit stays below 1.0 times the first run-up.",
+      "largest later shoreline elevation over the run-up",
       [](const Results& r) { return later_heights<Largest>(r.told, true).value(); },
-      Bound{.limit = 1, .reason = "the wave came once; what returns has lost energy to the reflected wave"});
+      Bound{.limit = 1,
+            .reason = "the incident wave is single, and the returning wave has lost energy to the reflected one"});
   claims
-      .fails(
-          {.value = quick ? 6.0 : 3.0,
-           .width = 1,
-           .reason =
-               "the bore of the run-down meets the tip, a marker of almost no mass, and throws it up the slope; such "
-               "runs may even go through: above the limit nothing after the first run-up is to be used. With finer "
-               "markers more of them stop before"})
+      .fails({.value = quick ? 6.0 : 3.0,
+              .width = 1,
+              .reason = "the bore of the run-down meets the tip, a node of almost no mass, and throws it up the slope; "
+                        "such runs may even complete: above the limit results after the first run-up are invalid. At "
+                        "finer spacings more of the runs stop earlier"})
       .check(
           "later-above",
           "The number of runs above the limiting amplitude whose shoreline later exceeds its first run-up is zero.",
@@ -255,7 +251,8 @@ void claim_fates(const Claims<Results>& claims, bool quick) {
           [](const Results& r) {
             return later_heights<Count>(r.told, false, [](double ratio) { return ratio > 1; }).value();
           },
-          Bound{.limit = 0, .reason = "the wave came once; what returns has lost energy to the reflected wave"});
+          Bound{.limit = 0,
+                .reason = "the incident wave is single, and the returning wave has lost energy to the reflected one"});
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
@@ -264,7 +261,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
   claim_fates(claims.at(fmt::format("h = {0:g} and {1:g}", h, h / 2)), quick);
   claims.at(fmt::format("h = {:g}", h))
       .check(
-          "map-below", "On all slopes of the map waves below the limit complete and return lower than they came.",
+          "map-below",
+          "The later shoreline elevation of all waves of the map below the limit stays below the first run-up.",
           "all do",
           [](const Results& r) {
             const auto lower = [](const Mapped& one) { return !below(one.wave) || returns_lower(one.fate); };
@@ -282,13 +280,13 @@ Results compute(const Run& run) {
 
 /// Fates over slopes and heights in units of the limit.
 void draw_map(evidence::Exhibit& exhibit, const std::vector<Mapped>& map) {
-  auto& panel = add_panel(exhibit, "map", "Where the model ends",
+  auto& panel = add_panel(exhibit, "map", "Limit of the model",
                           "Completed run-up and run-down. Synolakis' limits: of run-down, 0.479 cot^(-10/9), and of "
                           "run-up, 0.8183 cot^(-10/9).",
-                          {.x = "cotangent of the slope", .y = "A [depth]", .log_x = true, .log_y = true});
+                          {.x = "s of the slope 1:s", .y = "A [depth]", .log_x = true, .log_y = true});
   const auto limit = each(mapped_slopes, backwash_limit);
-  panel.line("breaks running back", mapped_slopes, limit, Role::exact);
-  panel.line("breaks running up", mapped_slopes, each(limit, [](double a) { return 0.8183 / 0.479 * a; }), Role::guide);
+  panel.line("breaks in run-down", mapped_slopes, limit, Role::exact);
+  panel.line("breaks in run-up", mapped_slopes, each(limit, [](double a) { return 0.8183 / 0.479 * a; }), Role::guide);
   const auto points = [&](const std::string& label, Role role, const auto& is) {
     auto those = map | std::views::filter([&](const Mapped& one) { return is(one.fate); });
     if (those.empty()) return;

@@ -1,26 +1,25 @@
 /*
-A solitary wave climbs a vertical wall or a plane slope, by free particles under Gauss's principle of least constraint.
-The exact run-up of the Euler equations is known to many digits, on a wall (`wall_run_up_exact`) and on slopes down to a
-cotangent of 3 (`slope_run_up_exact`). Depth and gravity are 1.
+A solitary wave climbs a vertical wall or a plane slope, computed with Gauss-principle particles. The exact run-up of
+the Euler equations is known to many digits, at a wall (`wall_run_up_exact`) and on slopes down to 1:3
+(`slope_run_up_exact`). Depth and gravity are 1.
 
-**Set-up.** The exact solitary wave, with its own velocities, starts so far from toe or wall that there less than 0.4 %
-of its height is cut off. Cubic splines on square cells that follow the bottom; the toe of a slope is rounded over a
-quarter of a depth on either side, for the slope of the bottom has to be smooth. Cells count as full from a quarter of
-their mass on, for the tongue of water is thin. The penalty on gradients of vorticity is on ($C = 0.01$). Markers, which
-have no mass, trace the surface; the highest one beyond the toe, or at the wall, is the run-up.
+**Set-up.** The exact solitary wave, with its velocities, starts where less than 0.4 % of its height reaches toe or
+wall. Cubic splines on square cells that follow the bed; the toe of a slope is rounded over a quarter of a depth on
+either side, because the bed slope has to be continuous. Cells count as full from a quarter of their mass on, because
+the tongue is thin. The penalty on vorticity gradients is on ($C = 0.01$). Massless markers trace the surface; the
+highest one beyond the toe, or at the wall, is the run-up.
 
-**What is compared.** Three lattices of half, three quarters and all of the cells, and of the particles to a cell's side
-with them: sums over particles are no exact integrals, which no refinement of the cells alone can mend. The run-up with
-the exact one; on slopes with the measurements of Hall and Watts (1953) besides. It knows no friction and has to lie
-above them.
+**What is compared.** Three grids with 1/2, 3/4 and all of the cells, and of the particles per cell side with them: sums
+over particles are not exact integrals, an error that refinement of the cells alone does not reduce. The run-up with the
+exact one; on slopes also with the measurements of Hall and Watts (1953), above which a frictionless run-up has to lie.
 
-**What to look at.** The run-up converges from above, with an order near 3 while cells and particles are refined
-together. With six particles to a side and ever finer cells, an error of 0.7 % is left at $A = 0.3$, and one of 3 % at
-$A = 0.1$, where the same noise meets less energy. On slopes of cotangent 1 and 2 it is some 6 % higher than the
-measured one (`cot_slope=2 amplitude=0.29`).
+**What to look at.** The run-up converges from above, at an order near 3 when cells and particles are refined together.
+With six particles per cell side and ever finer cells an error of 0.7 % remains at $A = 0.3$, and one of 3 % at $A =
+0.1$, where the same noise meets less energy. On 1:1 and 1:2 slopes the run-up is some 6 % above the measured one
+(`cot_slope=2 amplitude=0.29`).
 
-**When it is no test.** The tongue of water on a slope is thinner than a cell where it ends: there the run-up converges
-more slowly than at a wall.
+**Limits of this test.** The end of the tongue on a slope is thinner than a cell, and the run-up converges more slowly
+there than at a wall.
 */
 #include <algorithm>
 #include <cmath>
@@ -77,7 +76,7 @@ struct GaussClimb {
   [[nodiscard]] gauss_particles::Flow start() const;
   /// "4 cells to a depth, 12 particles to a side".
   [[nodiscard]] std::string resolution() const {
-    return fmt::format("{} cells to a depth, {} particles to a side", cells, per_cell);
+    return fmt::format("{} cells per depth, {} particles per side", cells, per_cell);
   }
 };
 
@@ -218,8 +217,10 @@ const std::string experiment = "Hall and Watts (1953), in Frank (1994)";
 GaussClimb climb_of(const Values& values) {
   const double cot_slope = values.real("cot_slope");
   if (cot_slope > 0 && cot_slope < 1) {
-    throw std::invalid_argument(fmt::format(
-        "cot_slope = {:g}: a wall has 0, a slope 1 or more, for its toe is rounded over half a depth", cot_slope));
+    throw std::invalid_argument(
+        fmt::format("cot_slope = {:g} is out of range: must be 0 (a wall) or at least 1, because the toe is rounded "
+                    "over half a depth",
+                    cot_slope));
   }
   return {.wave = exact::SolitaryWave(values.real("amplitude")),
           .cot_slope = cot_slope,
@@ -277,39 +278,42 @@ void claim_method(const GaussClimb& climb, const Claims<GaussClimbRun>& claims) 
   const double latest = (climb.crest() + 4 * climb.cot_slope + 10) / climb.wave.speed();
   claims.from("Frank (1994), chapter 6; exact for every space and step")
       .check(
-          "energy", "The energy changes by what the penalty takes, to round-off.",
-          "largest defect over the wave's energy", &GaussClimbRun::energy_defect,
-          Roundoff{.operations = std::ceil(latest / climb.tau()),
-                   .scale = 1,
-                   .reason =
-                       "one rounding per step of the kinetic and the potential energy, which are the wave's together"});
+          "energy", "The energy change equals the dissipation of the penalty, to round-off.",
+          "largest energy error over the wave energy", &GaussClimbRun::energy_defect,
+          Roundoff{
+              .operations = std::ceil(latest / climb.tau()),
+              .scale = 1,
+              .reason = "one rounding per step of the kinetic and the potential energy, whose sum is the wave energy"});
   claims.from("Frank (1994), chapter 6")
-      .check("loss", "The penalty takes at most 0.15 % of the wave's energy, which is 0.1 % of the run-up.",
-             "energy taken over the wave's", &GaussClimbRun::penalty_loss,
+      .check("loss",
+             "The energy dissipated by the penalty is at most 0.15 % of the wave energy, equivalent to 0.1 % of the "
+             "run-up.",
+             "dissipated energy over the wave energy", &GaussClimbRun::penalty_loss,
              Bound{.limit = 0.0015,
-                   .reason = "a tenth of the 1 % by which the last refinement may change the run-up; a wave's energy "
-                             "grows as its height to the power 3/2, the run-up as the height"});
+                   .reason = "a tenth of the 1 % allowed for the last refinement; wave energy grows as height to the "
+                             "power 3/2, run-up as height"});
   claims.from("Frank (1994), chapter 6; the fields are along the walls")
       .check(
           "contained",
-          "The particles pass bottom or walls by at most g tau^2/2, the distance of a straight step from their path.",
-          "farthest place behind them, over tau^2/2",
+          "The penetration of particles into bed or walls is at most g tau^2/2, the deviation of a straight step from "
+          "their path.",
+          "largest penetration over tau^2/2",
           [half = climb.tau() * climb.tau() / 2](const GaussClimbRun& run) { return run.beyond / half; },
           Bound{.limit = 1,
-                .reason = "a step is straight: it leaves the path along a wall by tau^2/2 times an acceleration, and "
-                          "none there is greater than gravity"});
+                .reason = "a straight step deviates from the path along a wall by tau^2/2 times the acceleration, "
+                          "which is at most gravity there"});
 }
 
 void claims(const Values& values, const Claims<Results>& all) {
   const GaussClimb climb = climb_of(values);
   const double amplitude = climb.wave.amplitude();
   claim_method(climb, all.of(&Results::finest).at(climb.resolution()));
-  const auto ladder = all.at(climb.resolution() + ", and two coarser lattices")
-                          .only_if(has_coarser(values), "coarser lattices need multiples of 4");
+  const auto ladder = all.at(climb.resolution() + ", and two coarser grids")
+                          .only_if(has_coarser(values), "coarser grids need multiples of 4");
   const std::optional<double> exact = tabled_exact(values);
-  ladder.only_if(is_known(climb), "no exact value is known on such a slope")
+  ladder.only_if(is_known(climb), "no exact value is available for this slope")
       .check(
-          "exact", "The run-up agrees with the Euler equations.", "run-up [depth]",
+          "exact", "Maximum run-up agrees with the Euler equations within the numerical uncertainty.", "run-up [depth]",
           [tabled = exact.has_value()](const Results& r) -> Measurement {
             Measurement runup{.value = r.runup.back(), .uncertainty = r.limit().uncertainty};
             if (!tabled) runup.told.expected = r.exact;
@@ -318,23 +322,24 @@ void claims(const Values& values, const Claims<Results>& all) {
           Uncertainty{.expected = exact ? Amount(*exact) : Amount::told_by_run(4 * amplitude),
                       .data = 1.1e-5,
                       .useful = 0.05 * 2 * amplitude,
-                      .reason = "from the change from lattice to lattice, of use up to 5 % of 2 A; the exact value to "
-                                "1.1e-5, and where no table has it, computed: it is less than 4 A"});
-  ladder.check("converged",
-               "The last refinement changes the run-up by at most 1 %, a fifth of the scatter of measurements.",
-               "change by the last refinement, relative", &Results::last_change,
-               Bound{.limit = 0.01, .reason = "a fifth of the scatter of measured run-up, 5 %"});
+                      .reason = "numerical: from the change between grids, at most 5 % of 2 A; exact value to 1.1e-5, "
+                                "computed where not tabulated; run-up below 4 A"});
+  ladder.check(
+      "converged",
+      "The change of the run-up by the last refinement is at most 1 %, a fifth of the scatter of measurements.",
+      "change by the last refinement, relative", &Results::last_change,
+      Bound{.limit = 0.01, .reason = "a fifth of the scatter of measured run-up, 5 %"});
   const std::optional<double> expected = measured(values);
   all.at(climb.resolution())
-      .only_if(expected.has_value(), "measurements are of slopes")
+      .only_if(expected.has_value(), "measurements exist for slopes only")
       .from(experiment)
       .check(
           "measurements",
           "The run-up lies 0 to 10 % above the measurement, as friction and two standard uncertainties of 5 % allow.",
           "R/R_measured - 1", [expected](const Results& r) { return r.finest.runup() / *expected - 1; },
           Bound{.limit = 0.05,
-                .reason = "0 to 10 %: what has no friction cannot lie below; above, by two standard uncertainties of "
-                          "the measurements, 5 % each (assumed), at most",
+                .reason = "0 to 10 %: a frictionless run-up cannot lie below the measurement, and above it by at most "
+                          "two standard uncertainties, 5 % each (assumed)",
                 .expected = 0.05});
 }
 
@@ -367,9 +372,9 @@ Results compute(const Run& run) {
 
 void draw(const Results& r, evidence::Exhibit& exhibit) {
   const GaussClimbRun& run = r.finest;
-  auto& water = exhibit.figure(
-      "water", "The water at the shore",
-      fmt::format("Markers of the surface; A = {:g}; {}.", r.climb.wave.amplitude(), r.climb.resolution()));
+  auto& water =
+      exhibit.figure("water", "The water at the shore",
+                     fmt::format("Surface markers; A = {:g}; {}.", r.climb.wave.amplitude(), r.climb.resolution()));
   for (const GaussFrame* frame : {&run.at_highest, &run.at_end}) {
     auto& panel = water.panel(
         {.x = "x [depth]", .y = "y [depth]", .title = fmt::format("t = {:.2f}", frame->time), .equal_aspect = true});
@@ -388,7 +393,7 @@ void draw(const Results& r, evidence::Exhibit& exhibit) {
 void draw_convergence(const Results& r, evidence::Exhibit& exhibit) {
   exhibit.measure("runup_extrapolated", r.limit().extrapolated);
   auto& figure = exhibit.figure("convergence", "Convergence of the run-up",
-                                "Cells and particles to a cell's side are refined together.");
+                                "Cells and particles per cell side are refined together.");
   if (std::isnan(r.exact)) {
     figure.panel({.x = "h [depth]", .y = "R [depth]"}).points("particles", r.spacing, r.runup, Role::computed);
     return;
@@ -424,13 +429,13 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 }  // namespace
 
 void run_up_gauss(Case& c) {
-  c.title = "A solitary wave climbs a wall or a slope: Gauss-principle particles";
+  c.title = "Run-up of a solitary wave on a wall or a slope: Gauss-principle particles";
   c.source = literature::frank + ", chapters 3 and 6; " + literature::su_mirie + "; " + literature::hall_watts;
   c.parameters = {
       real("amplitude", 0.3, "depth", {0.05, 0.6}, "height of the incident wave"),
-      real("cot_slope", 0.0, "1", {0, 5}, "cotangent of the slope, 1 or more; 0: a vertical wall"),
-      integer("cells", {4, 8, 8}, {2, 40}, "cells of the lattice to a depth"),
-      integer("per_cell", {12, 16, 16}, {6, 40}, "particles to a cell's side"),
+      real("cot_slope", 0.0, "1", {0, 5}, "s of the slope 1:s, 1 or more; 0: a vertical wall"),
+      integer("cells", {4, 8, 8}, {2, 40}, "cells per depth"),
+      integer("per_cell", {12, 16, 16}, {6, 40}, "particles per cell side"),
   };
   c.study = Study(claims, compute, show, source);
 }

@@ -1,25 +1,24 @@
 /*
-High solitary waves climb a vertical wall and steep slopes on the two-dimensional Lagrangian mesh, whose columns are put
-upright again whenever they lean.
+High solitary waves climb a vertical wall and steep slopes on the two-dimensional Lagrangian mesh with rezoned columns.
 
-In Frank's own model the surface's nodes run ahead of the water beneath, crowd in the sheet at the wall and turn their
-cells inside out (`wall_run_up_mesh_limit`); at the toe of a slope nodes of the bottom pass the corner
-(`slope_run_up_mesh`). The water does nothing of the kind: below $A = 0.6$ its surface has one elevation at every place.
-So the mesh is rezoned: a column that leans becomes the straight line again that no water has passed on the whole, the
-nodes go to their parts of its length, and what they carried is carried over.
+In Frank's own model surface nodes move ahead of the water beneath, crowd in the sheet at the wall and invert their
+cells (`wall_run_up_mesh_limit`); at the toe of a slope bed nodes pass the corner (`slope_run_up_mesh`). The flow itself
+is regular: below $A = 0.6$ its surface elevation is single-valued. The mesh is therefore rezoned: a tilted column
+becomes the straight line through which the net flux is zero, its nodes return to their fractions of its length, and the
+transported quantities are remapped.
 
 **Set-up.** As in `wall_run_up_mesh` and `slope_run_up_mesh`: depth, gravity and density are 1, the crest of the exact
-solitary wave starts 12 depths from wall or toe, columns are twice as wide as rows are high. The mesh is rezoned when a
-node is farther from its place than a fifth of its cell.
+solitary wave starts at a distance of 12 from wall or toe, columns are twice as wide as rows are high. The mesh is
+rezoned when a node deviates from its position by more than a fifth of its cell.
 
 **What is compared.** The run-up with the exact values of the Euler equations (`seiche exact wall_runup`,
-`slope_runup`), on four meshes; whether the mesh holds to the end; the energy, with what rezoning takes booked. Loads on
-the wall are compared in `wall_run_up_mesh_figures`.
+`slope_runup`), on four meshes; whether the mesh lasts to the end; the energy, with the booked loss of rezoning. Loads
+on the wall are compared in `wall_run_up_mesh_figures`.
 
 **What to look at.** No cell tangles, neither at the wall for $A = 0.6$, where Frank's mesh does not reach the run-up,
-nor at the toe. Eight rows are 5 % low at $A = 0.6$ and 2 % at $A = 0.5$; at the wall the error falls with the second
-order as without rezoning, on slopes with the first. Rezoning takes less than a thousandth of the energy, at the wall
-half of it while the sheet falls.
+nor at the toe. Eight rows are 5 % low at $A = 0.6$ and 2 % at $A = 0.5$; at the wall the error converges at second
+order as without rezoning, on slopes at first. Rezoning takes less than 0.1 % of the energy, at the wall half of it
+while the sheet falls.
 */
 #include <algorithm>
 #include <cmath>
@@ -61,7 +60,7 @@ struct Climb {
   }
   [[nodiscard]] std::string title() const {
     return wall() ? fmt::format("A = {:g}, vertical wall", amplitude)
-                  : fmt::format("A = {:g}, slope of tangent {:g}", amplitude, 1 / cot_slope);
+                  : fmt::format("A = {:g}, slope {:g}", amplitude, 1 / cot_slope);
   }
   /// Of the error in the size of the cells.
   [[nodiscard]] double order() const { return wall() ? 2 : 1; }
@@ -115,7 +114,7 @@ std::string resolution(long rows) {
 void claim_whole(const Climb& climb, const Claims<Results>& claims) {
   claims.check(
       "whole-" + climb.id(),
-      fmt::format("{}: the mesh holds, {}.", climb.title(),
+      fmt::format("The mesh remains untangled {1} ({0}).", climb.title(),
                   climb.wall() ? "until the wave has left the wall" : "until the water has fallen"),
       "meshes that tangle",
       [id = climb.id()](const Results& all) {
@@ -125,35 +124,38 @@ void claim_whole(const Climb& climb, const Claims<Results>& claims) {
         }
         return tangled.value();
       },
-      Bound{.limit = 0, .reason = "none: the Euler equations have a solution to the end"});
+      Bound{.limit = 0, .reason = "zero: the Euler equations have a solution to the end"});
 }
 
 void claim_runup(const Climb& climb, double exact, long rows, const Claims<Results>& claims) {
-  claims.only_if(climb.cot_slope < 2 || rows >= fine, "fewer than 16 rows do not tell on a slope of tangent 0.5")
+  claims.only_if(climb.cot_slope < 2 || rows >= fine, "fewer than 16 rows are inconclusive on a 1:2 slope")
       .check(
-          "exact-" + climb.id(), fmt::format("{}: the run-up agrees with the Euler equations.", climb.title()),
+          "exact-" + climb.id(),
+          fmt::format("The run-up agrees with the Euler equations within the mesh uncertainty ({}).", climb.title()),
           "run-up [depth]",
           [climb](const Results& all) { return find(all, climb.id()).finest(&Reached::runup, climb.order()); },
           Uncertainty{.expected = exact,
                       .data = 1e-6,
                       .useful = 0.1 * exact,
-                      .reason = "from the change from mesh to mesh, of use up to a tenth of the run-up; the exact one "
-                                "to seven digits"});
-  claims.only_if(rows >= fine, "four rows are too few for an order: 16 rows and more")
+                      .reason = "numerical: from the change between meshes, at most 10 % of the run-up; exact value to "
+                                "seven digits"});
+  claims.only_if(rows >= fine, "four rows are too few for an order: needs 16 rows or more")
       .check(
           "order-" + climb.id(),
-          fmt::format("{}: the run-up converges to the Euler equations with order {:g}.", climb.title(), climb.order()),
-          "order in the size of the cells",
+          fmt::format("The run-up converges to the Euler equations at order {1:g} ({0}).", climb.title(),
+                      climb.order()),
+          "order in the cell size",
           [climb, exact](const Results& all) {
             const Climbed& one = find(all, climb.id());
             return evidence::observed_order(one.spacings(),
                                             one.each([&](const Reached& on) { return std::abs(on.runup - exact); }));
           },
-          Order{.theory = climb.order(),
-                .tolerance = 0.5,
-                .reason =
-                    "as without rezoning; at the wall nodes move along the surface with errors of order 1, so that the "
-                    "next term is smaller by a factor h1 only: 2 h1 for the coarsest of these meshes, half an order"});
+          Order{
+              .theory = climb.order(),
+              .tolerance = 0.5,
+              .reason =
+                  "as without rezoning; at the wall nodes move along the surface with first-order errors, so that the "
+                  "next term is smaller by a factor h1 only: 2 h1 for the coarsest of these meshes, half an order"});
 }
 
 void claim_energy(const Climb& climb, double tau, const Claims<Results>& claims) {
@@ -161,12 +163,14 @@ void claim_energy(const Climb& climb, double tau, const Claims<Results>& claims)
   claims.from("Frank (1994), section 1.2")
       .where("t = {:.2f}")
       .check(
-          "energy-" + climb.id(), fmt::format("{}: energy changes by what rezoning is booked for.", climb.title()),
-          "largest change of the energy that is not booked, over the wave's energy",
+          "energy-" + climb.id(),
+          fmt::format("The energy change equals the booked loss of rezoning within (omega tau)^2/4 ({}).",
+                      climb.title()),
+          "largest unbooked energy change over the wave energy",
           [id = climb.id()](const Results& all) { return find(all, id).on.back().unbooked; },
           Bound{.limit = std::pow(wave.speed() * wave.decay_rate() * tau, 2) / 4,
-                .reason = "Verlet's energy of a mode oscillates by (omega tau)^2/4; omega is the rate at which the "
-                          "wave rises at a place, its speed times its tail's decay"});
+                .reason = "Verlet's energy of a mode oscillates by (omega tau)^2/4; omega is the rate of rise of the "
+                          "wave at a point, celerity times tail decay rate"});
 }
 
 void claims(const Values& values, const Claims<Results>& all) {
@@ -241,11 +245,10 @@ Results compute(const Run& run) {
 }
 
 void tabulate(const Results& all, const Values& values, evidence::Exhibit& exhibit) {
-  evidence::Table& table =
-      add_table(exhibit, "runup", "Run-up on rezoned meshes",
-                "From coarse to fine; of the Euler equations; how often the finest mesh was rezoned and "
-                "what part of the wave's energy that took.",
-                {"wave"});
+  evidence::Table& table = add_table(exhibit, "runup", "Run-up on rezoned meshes",
+                                     "From coarse to fine; of the Euler equations; number of rezonings of the finest "
+                                     "mesh and the fraction of wave energy that they took.",
+                                     {"wave"});
   for (const long part : parts) {
     table.columns.emplace_back(fmt::format("{} rows", values.integer("rows") * part / parts.back()), "depth");
   }
@@ -275,7 +278,7 @@ void draw_meshes(const Results& all, const Values& values, evidence::Exhibit& ex
 void show(const Results& all, const Values& values, evidence::Exhibit& exhibit) {
   tabulate(all, values, exhibit);
   auto& panel = add_panel(exhibit, "convergence", "Convergence of the run-up",
-                          "To the exact values of the Euler equations, over them.",
+                          "Relative to the exact values of the Euler equations.",
                           {.x = "h1 [depth]", .y = "|R/R_exact - 1|", .log_x = true, .log_y = true});
   for (const Climbed& one : all) {
     const double exact = exact_runup(values, one.climb);
@@ -291,11 +294,11 @@ void show(const Results& all, const Values& values, evidence::Exhibit& exhibit) 
 }  // namespace
 
 void run_up_mesh_rezoned(Case& c) {
-  c.title = "High solitary waves climb walls and slopes: rezoned Lagrangian mesh";
+  c.title = "Run-up of high solitary waves on walls and slopes: rezoned Lagrangian mesh";
   c.source = literature::frank + ", section 2.2; C. W. Hirt, A. A. Amsden, J. L. Cook, J. Comput. Phys. 14 (1974) 227";
   c.parameters = {
       integer("rows", {8, 16, 16}, {8, 32}, "of the finest mesh; the others have 1/2, 5/8 and 3/4 of them"),
-      real("drift", 0.2, "cells", {0.05, 0.5}, "farthest of a node from its place before the mesh is rezoned"),
+      real("drift", 0.2, "cells", {0.05, 0.5}, "largest deviation of a node from its position before rezoning"),
   };
   c.study = Study(claims, compute, show, source);
 }

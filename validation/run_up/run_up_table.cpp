@@ -1,26 +1,26 @@
 /*
-Frank's table of chapter 3: the run-up of a solitary wave on plane slopes of cotangent 10 to 1, twenty-five cases,
-beside the run-up law of Synolakis, computations of other authors (among them Frank's own two-dimensional model), and
-the measurements of Hall and Watts.
+Frank's table of chapter 3: the run-up of a solitary wave on plane slopes of 1:10 to 1:1, twenty-five cases, beside
+Synolakis' run-up law, computations of other authors (among them Frank's own two-dimensional model), and the
+measurements of Hall and Watts.
 
 **Set-up.** As in `run_up_1d`: depth and gravity are 1, Serre's wave starts before the toe, $\tau = h/4$. The thesis
-states neither $h$ nor $\tau$; for one amplitude per slope it adds the value with both halved. Two variants go beyond
-it. The shoreline marker weighs $V/4$ of its triangle in the thesis (elementary volumes); with $V/6$ a plane surface
-over a plane slope accelerates exactly as it should. And the kinetic energy over a slope, in the thesis
-$\tfrac12 m (p^2 + \tfrac13 r^2)$ along and across the bottom, can be taken from Green and Naghdi: exact for a vertical
-velocity that is linear between the bed and the surface.
+states neither $h$ nor $\tau$; for one amplitude per slope it adds the value with both halved. Two variants extend it.
+The shoreline node has the mass $V/4$ of its triangle in the thesis (elementary volumes); with $V/6$ a plane surface
+over a plane slope has the exact acceleration. The kinetic energy over a slope, in the thesis $\tfrac12 m (p^2 +
+\tfrac13 r^2)$ along and across the bed, can be taken from Green and Naghdi: exact for a vertical velocity that is
+linear between bed and surface.
 
-**What is compared.** Every value with the thesis, at $h = 1/4$. The change of the run-up as the spacing is halved, with
-the $V/6$ tip. Both kinetic energies with the measurements, with the exact solution of the shallow-water equations
-where waves are small, and, on slopes milder than cotangent 2, with the Euler equations on the two-dimensional
-Lagrangian mesh (`slope_run_up_mesh`).
+**What is compared.** Every value with the thesis, at $h = 1/4$. The change of the run-up when the spacing is halved,
+with the $V/6$ tip. Both kinetic energies with the measurements, with the exact solution of the shallow-water equations
+for small waves, and, on slopes milder than 1:2, with the Euler equations on the two-dimensional Lagrangian mesh
+(`slope_run_up_mesh`).
 
-**What to look at.** Steep slopes. The measurements go up and the thesis's model stays behind, by a quarter at
-cotangent 1; with the kinetic energy of Green and Naghdi the same markers climb as high as the water did in the
-laboratory, and as Frank's two-dimensional model. On milder slopes the measurements lie a tenth below, and that is not
-the model's doing: the Euler equations, which neglect friction and nothing else, give the same run-up as the model does
-with the kinetic energy of Green and Naghdi, to two per cent, and lie above the measurements by the same tenth. The
-thesis's kinetic energy comes nearer to them there because it errs to the same side as friction.
+**What to look at.** Steep slopes. The thesis's model falls below the measurements, by a quarter at 1:1; with the
+kinetic energy of Green and Naghdi the run-up equals the measured one, and the run-up of Frank's two-dimensional model.
+On milder slopes the measurements are 10 % lower, and not because of the model: the Euler equations, which neglect only
+friction, give the same run-up as the model with the kinetic energy of Green and Naghdi, to 2 %, and exceed the
+measurements by the same 10 %. The thesis's kinetic energy is nearer to the measurements there because its error has the
+sign of friction.
 */
 #include <algorithm>
 #include <cmath>
@@ -96,16 +96,18 @@ Printed printed(const Rows& rows) {
 void claim_thesis(const Claims<Results>& claims, const Printed& thesis_values) {
   claims.at("h = 0.25, tip V/4")
       .check(
-          "thesis", "The run-up agrees with the thesis's table, in the mean over its 25 rows.", "rms of R/R_thesis - 1",
+          "thesis",
+          "The rms difference of run-up from Frank's table (1994) over its 25 rows is within the uncertainty of both.",
+          "rms of R/R_thesis - 1",
           [thesis_values](const Results& r) -> Measurement {
             return {.value = off_thesis(r.rows, 0), .told = {.limit = thesis_values.open(own_change(r.rows))}};
           },
           Bound{.limit = Amount::told_by_run(thesis_values.open(1.5 * thesis_values.change)),
-                .reason = fmt::format(
-                    "what both sides leave open: three printed decimals ({:.2g}), and the discretisation error of "
-                    "either, twice the change when the steps are halved (thesis, six rows: {:.2g}; here it may be half "
-                    "as much again), as the V/4 tip converges with the first order; the thesis states no steps",
-                    thesis_values.decimals, thesis_values.change)});
+                .reason =
+                    fmt::format("uncertainty of both: three printed decimals ({:.2g}), and the discretisation errors, "
+                                "twice the change when the steps are halved (thesis, six rows: {:.2g}; here up to half "
+                                "as much again), as the V/4 tip converges at first order; the thesis states no steps",
+                                thesis_values.decimals, thesis_values.change)});
 }
 
 /// Largest change by the last halving, V/6 tip, on slopes that are as steep as cotangent 1 or not.
@@ -122,11 +124,13 @@ void claim_refinement(const Claims<Results>& claims, std::size_t levels) {
   const double halvings = static_cast<double>(levels) - 3;  // from 1/8 to 1/16 it is none
   claims.at(fmt::format("h = {:g} to {:g}", runup_spacing(levels - 2), runup_spacing(levels - 1)))
       .check(
-          "refinement", "With the V/6 tip the run-up is converged, on slopes of cotangent 2 and more.",
+          "refinement",
+          "The change of the run-up by the last halving of the spacing, with the V/6 tip on slopes 1:2 and milder, is "
+          "below the limit.",
           "largest relative change by the last halving",
           [](const Results& r) { return change_by_last_halving(r.rows, false); },
           Bound{.limit = 0.006 / std::pow(2.0, halvings),
-                .reason = "from h = 1/8 to 1/16 less than 0.6 %, below the 0.7 % by which the thesis's values change "
+                .reason = "from h = 1/8 to 1/16 below 0.6 %, less than the 0.7 % by which the thesis's values change "
                           "in the mean when its steps are halved; at other spacings in proportion to h"});
 }
 
@@ -164,36 +168,38 @@ void claim_measurements(const Claims<Results>& claims) {
   const Uncertainty scatter{
       .data = reference_source("frank_1994_runup_hall_watts").standard_uncertainty.at("R_HW").value,
       .useful = 0.15,
-      .reason =
-          "scatter of such experiments and of their interpolation, 5 % (assumed); the model's own from the spacings"};
-  measured_at.check("measurements-green-naghdi",
-                    "On slopes of cotangent 2 and 1 the model with Green and Naghdi's kinetic energy agrees with the "
-                    "measurements.",
-                    quantity, off(green_naghdi, true), scatter);
+      .reason = "scatter of such experiments and of their interpolation, 5 % (assumed); numerical: from the spacings"};
+  measured_at.check(
+      "measurements-green-naghdi",
+      "Maximum run-up on 1:2 and 1:1 slopes with the Green-Naghdi kinetic energy agrees with the measurements.",
+      quantity, off(green_naghdi, true), scatter);
   measured_at
       .fails({.value = 0.122,
               .width = 0.005,
-              .reason = "it stays below the measurements, the more the higher the wave, at last by a "
-                        "quarter, as the thesis's own column does"})
-      .check("measurements",
-             "With the kinetic energy of Frank (1994), maximum run-up on steep slopes agrees with the measurements.",
-             quantity, off(consistent, true), scatter);
-  measured_at.check("measurements-mild",
-                    "On milder slopes the model with the thesis's kinetic energy agrees with the measurements.",
-                    quantity, off(consistent, false), scatter);
+              .reason = "the run-up is below the measurements, more so for higher waves, up to 25 %, as in the "
+                        "thesis's own column"})
+      .check(
+          "measurements",
+          "Maximum run-up on 1:2 and 1:1 slopes with the kinetic energy of Frank (1994) agrees with the measurements.",
+          quantity, off(consistent, true), scatter);
+  measured_at.check(
+      "measurements-mild",
+      "Maximum run-up on slopes milder than 1:2 with the kinetic energy of Frank (1994) agrees with the measurements.",
+      quantity, off(consistent, false), scatter);
   measured_at
       .fails({.value = 0.111,
               .width = 0.001,
-              .reason =
-                  "no friction: the Euler equations, which have none either, lie as far above the measurements (claims "
-                  "mild-euler and mild-friction), and the two waves that break on their way up lose energy besides"})
-      .check("measurements-mild-green-naghdi",
-             "With the Green-Naghdi kinetic energy, maximum run-up on milder slopes agrees with the measurements.",
-             quantity, off(green_naghdi, false), scatter);
+              .reason = "no friction: the frictionless Euler equations exceed the measurements by as much (claims "
+                        "mild-euler and mild-friction), and the two breaking waves lose energy besides"})
+      .check(
+          "measurements-mild-green-naghdi",
+          "Maximum run-up on slopes milder than 1:2 with the Green-Naghdi kinetic energy agrees with the measurements.",
+          quantity, off(green_naghdi, false), scatter);
   claims.check(
       "other-authors",
-      "Over the whole table Green and Naghdi's kinetic energy brings the model nearer to the other computations.",
-      "rms distance over that with the thesis's kinetic energy",
+      "The rms difference of run-up from the other computations of the table is smaller with the Green-Naghdi kinetic "
+      "energy than with Frank's.",
+      "rms difference over the difference with the thesis's kinetic energy",
       [](const Results& r) { return off_other_authors(r.rows, green_naghdi) / off_other_authors(r.rows, consistent); },
       Bound{.limit = 1, .reason = "nearer means less than 1"});
 }
@@ -204,7 +210,7 @@ void tabulate(evidence::Exhibit& exhibit, const std::vector<Row>& rows, std::siz
       "Printed columns: Frank (1994) with the value for halved steps, other authors, the run-up law, Hall and "
       "Watts. Computed columns: the model with the thesis's V/4 tip at h = 1/4 and finest, with the V/6 tip at the "
       "finest spacing, and the latter with the kinetic energy of Green and Naghdi.",
-      {"cot [1]", "A [depth]", "thesis [depth]", "halved [depth]", "V/4, h = 1/4 [depth]", "off the thesis [%]",
+      {"cot [1]", "A [depth]", "thesis [depth]", "halved [depth]", "V/4, h = 1/4 [depth]", "minus thesis [%]",
        fmt::format("V/4, h = 1/{:g} [depth]", 1 / runup_spacing(levels - 1)), "V/6 [depth]", "Green-Naghdi [depth]",
        "measured [depth]", "law [depth]", "others [depth]", "by"},
       {"frank-table-runup"});
@@ -253,9 +259,8 @@ Points points_of(const std::vector<Row>& rows, const Series& series, const Absci
 void draw_table(evidence::Exhibit& exhibit, const std::vector<Row>& rows) {
   auto& panel =
       add_panel(exhibit, "runup", "Run-up over amplitude, all columns of the table",
-                "Columns are drawn side by side at every slope, one point per amplitude; the next figure "
-                "shows the amplitudes.",
-                {.x = "cotangent of the slope", .y = "R/A", .log_x = true, .log_y = true}, {"frank-table-runup"});
+                "Columns side by side at every slope, one point per amplitude; the next figure shows the amplitudes.",
+                {.x = "s of the slope 1:s", .y = "R/A", .log_x = true, .log_y = true}, {"frank-table-runup"});
   constexpr double side_step = 1.025;
   double side = std::pow(side_step, -3);
   std::vector<Series> all = printed_series;
@@ -272,8 +277,8 @@ void draw_slopes(evidence::Exhibit& exhibit, const std::vector<Row>& rows) {
   std::map<double, std::vector<Row>, std::greater<>> slopes;
   for (const Row& row : rows) slopes[row.cot_slope].push_back(row);
   auto& figure = exhibit.figure("by_slope", "Run-up against amplitude, slope by slope",
-                                "Where the curves part: on the steep slopes the model of the thesis falls behind the "
-                                "measurements, and with the kinetic energy of Green and Naghdi it does not.",
+                                "On the steep slopes the run-up of the thesis's model falls below the measurements; "
+                                "with the kinetic energy of Green and Naghdi it does not.",
                                 {"frank-table-runup"});
   const auto amplitude = [](const Row& row) { return row.amplitude; };
   for (auto& [cot_slope, members] : slopes) {
@@ -355,8 +360,9 @@ void run_up_table(Case& c) {
   c.title = "Run-up of solitary waves on six slopes: Frank's table";
   c.source = literature::frank + ", table of chapter 3; " + literature::hall_watts;
   c.tiers = {Tier::full, Tier::paper};
-  c.parameters = joined({{integer("halvings", {2, 2, 3}, {1, 5}, "how often the spacing is halved, from 1/4 depth on")},
-                         step_parameters()});
+  c.parameters =
+      joined({{integer("halvings", {2, 2, 3}, {1, 5}, "number of halvings of the spacing, from 1/4 depth on")},
+              step_parameters()});
   c.published = {
       {.tiles = {"frank-table-runup"}, .values = {{"halvings", 1L}}, .tier = Tier::full, .stated = {"scheme"}}};
   c.study = Study(claims, compute, show, thesis);

@@ -1,15 +1,15 @@
 /*
-A solitary wave of the full Euler equations climbs a plane slope behind a level bottom. The maximum run-up follows from
-fully nonlinear potential flow by a spectral boundary-integral method, in a plane where bottom and slope are one
-straight line (`seiche exact slope_runup`).
+A solitary wave of the full Euler equations climbs a plane slope behind a level bed. The maximum run-up follows from
+fully nonlinear potential flow by a spectral boundary-integral method, in a plane where bed and slope are one straight
+line (`seiche exact slope_runup`).
 
-**What is compared.** The run-up with the formula that Hall and Watts drew through their measurements, over heights and
-slopes. The case scores others: submit the largest elevation of the shore.
+**What is compared.** The run-up with the formula that Hall and Watts fitted to their measurements, over heights and
+slopes. The case accepts external results: the maximum shoreline elevation.
 
-**What to look at.** The computed water climbs higher than the measured one: it has neither friction nor surface
-tension, and no measured tongue is followed to where it is thinner than a film.
+**What to look at.** The computed run-up exceeds the measured one, which has friction and surface tension and ends at a
+finite film thickness.
 
-**When it is no test.** Of waves that break on their way up; of slopes milder than 1:3.
+**Limits of this test.** Waves that break on their way up, and slopes milder than 1:3, are not covered.
 */
 #include <memory>
 #include <optional>
@@ -43,16 +43,17 @@ double formula(const Values& values) {
 void claims(const Values& values, const Claims<Results>& claims) {
   claim_identities(claims.from(source).of(&Results::identities),
                    exact::SlopeRunup::identities(values.real("amplitude") / values.real("depth")));
-  claims.only_if(values.real("cotangent") > 0, "measurements are of slopes")
+  claims.only_if(values.real("cotangent") > 0, "measurements exist for slopes only")
       .check(
-          "measurements", "The run-up lies above the measured one, by no more than friction and scatter explain.",
+          "measurements",
+          "The run-up lies 0 to 10 % above the measurement, as friction and two standard uncertainties of 5 % allow.",
           "R/R_measured - 1",
           [measured = values.real("cotangent") > 0 ? formula(values) : 0](const Results& r) {
             return r.runup / measured - 1;
           },
           Bound{.limit = 0.05,
-                .reason = "0 to 10 %: what has no friction cannot lie below; above, by two standard uncertainties of "
-                          "the measurements, 5 % each (assumed), at most",
+                .reason = "0 to 10 %: a frictionless run-up cannot lie below the measurement, and above it by at most "
+                          "two standard uncertainties, 5 % each (assumed)",
                 .expected = 0.05});
 }
 
@@ -85,7 +86,8 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
                    std::vector{r.runup / values.real("amplitude")}, Role::computed);
     }
   }
-  add_panel(exhibit, "shore", "The shore", "Its elevation above still water; at t = 0 the crest would pass the toe.",
+  add_panel(exhibit, "shore", "The shore",
+            "Elevation above still water; at t = 0 the undisturbed crest passes the toe.",
             {.x = "t sqrt(g/depth)", .y = "elevation [m]"})
       .line("shore", each(r.shore, &exact::SlopeRunup::Shore::time), each(r.shore, &exact::SlopeRunup::Shore::level),
             Role::exact);
@@ -99,7 +101,7 @@ std::vector<WantedTable> wanted(const Values& values) {
   return {
       {.name = "numbers",
        .quantities = {wanted_number(
-           {"runup", "m", "largest elevation of the shore above still water"}, runup, values,
+           {"runup", "m", "maximum shoreline elevation above still water"}, runup, values,
            "The run-up agrees with fully nonlinear potential flow within the tolerance, by default 3.5 %.", source)},
        .exact = {fmt::format("seiche exact slope_runup --set amplitude={},cotangent={},depth={}", amplitude, cotangent,
                              depth)}}};
@@ -108,13 +110,13 @@ std::vector<WantedTable> wanted(const Values& values) {
 }  // namespace
 
 void slope_run_up_exact(Case& c) {
-  c.title = "A solitary wave climbs a plane slope: fully nonlinear potential flow";
+  c.title = "Run-up of a solitary wave on a plane slope: fully nonlinear potential flow";
   c.source = "S. T. Grilli, I. A. Svendsen, R. Subramanya, J. Waterway, Port, Coastal, Ocean Eng. 123 (1997) 102; " +
              literature::hall_watts;
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = {
       real("amplitude", 0.3, "m", {1e-6, 1e6}, "of the incident wave, 0.02 to 0.5 depth"),
-      real("cotangent", 1.0, "1", {0, 3}, "of the slope; 0: a vertical wall"),
+      real("cotangent", 1.0, "1", {0, 3}, "s of the slope 1:s; 0: a vertical wall"),
       real("depth", 1.0, "m", {1e-6, 1e6}, "depth"),
       tolerance_parameter(),
   };

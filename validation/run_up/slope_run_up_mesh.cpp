@@ -1,27 +1,26 @@
 /*
-A solitary wave of the Euler equations climbs plane slopes of tangent 1 and 0.5 on the two-dimensional Lagrangian mesh
-(Frank 1994, section 2.2). Depth and gravity are 1.
+A solitary wave of the Euler equations climbs plane slopes of 1:1 and 1:2 on the two-dimensional Lagrangian mesh (Frank
+1994, section 2.2). Depth and gravity are 1.
 
 **Set-up.** The tank begins at $x = 0$, the crest starts at $x = 12$, the toe of the slope is at $x = 24$. Columns are
-vertical in the tank and become parallel to the slope over the last $\max(4, 4\cot\beta)$ depths. The last column of
-nodes slides on the slope; its top is the contact point. In Frank's model the toe is a node that stays. In a second
-set of runs bottom and slope are one curve, rounded over a column's width on either side of the toe; along it the toe
-and the nodes beside it slide, the scheme is the conservative one, and the hourglass potential, $\kappa_0 = 0.1$, holds
-nodes in their rows. No condition is set at the shoreline.
+vertical in the tank and become parallel to the slope over the last $\max(4, 4\cot\beta)$. The last column of nodes
+slides on the slope; its top is the contact point. In Frank's model the toe is a fixed node. In a second set of runs bed
+and slope are one curve, rounded over a column's width on either side of the toe, along which the toe and its neighbours
+slide; the scheme is the conservative one, and the hourglass potential, $\kappa_0 = 0.1$, keeps nodes in their rows. No
+condition is imposed at the shoreline.
 
-**What is compared.** The run-up, five amplitudes on each slope: with the exact values of the Euler
-equations (`seiche exact slope_runup`), with the values of the thesis, which does not say on what mesh they were found,
-and with the formula of Hall and Watts for their measurements.
+**What is compared.** The run-up, five amplitudes on each slope: with the exact values of the Euler equations (`seiche
+exact slope_runup`), with the values of the thesis, which does not state its mesh, and with the formula of Hall and
+Watts for their measurements.
 
-**What to look at.** The run-up converges with the first order only. A surface node feels the pressure half a cell below
-it; that makes its motion along the surface inexact to first order, and on a slope the contact point climbs by such
-motion. Against a vertical wall it does not, and the order is two (`wall_run_up_mesh`). Extrapolated values lie within a
-few per cent of the formula, which is drawn through measurements, and nearer to the exact ones. Water arrives at the toe
-in finite time and goes on up the slope. With Frank's toe a node on the level bottom cannot: it passes the toe, the last
-cell at the bottom tangles, its area stays right, and the run goes on (`beyond_tangling`). With the toe that slides no
-cell tangles, and energy is exact while nodes go around the corner. What either changes of the run-up is of first order
-like its error: 3 % of the highest wave on the mild slope with columns an eighth wide, a few tenths of a per cent of
-most.
+**What to look at.** The run-up converges at first order only. A surface node feels the pressure half a cell below it,
+which makes its motion along the surface first-order accurate, and on a slope the contact point climbs by such motion.
+At a vertical wall it does not, and the order is two (`wall_run_up_mesh`). Extrapolated values agree within a few per
+cent with the formula, a fit to measurements, and more closely with the exact values. Water arrives at the toe in finite
+time and continues up the slope. With Frank's fixed toe a bed node cannot: it passes the toe, and the last cell at the
+bed tangles, but its area remains correct and the run continues (`beyond_tangling`). With a sliding toe no cell tangles,
+and energy is exact while nodes pass the corner. The difference of run-up between both toes is first-order like their
+errors: 3 % for the highest wave on the 1:2 slope with columns an eighth wide, a few tenths of a per cent for most.
 */
 #include <algorithm>
 #include <array>
@@ -179,7 +178,8 @@ std::size_t levels(const Values& values) {
 void claim_thesis(const Claims<std::vector<Climbed>>& claims) {
   claims.at("h1 = 0.25, 8 rows")
       .check(
-          "thesis", "The run-up agrees with the thesis's two-dimensional model.", "largest |R/R_thesis - 1|",
+          "thesis", "Maximum run-up agrees with the two-dimensional model of Frank (1994) within the mesh uncertainty.",
+          "largest |R/R_thesis - 1|",
           [](const std::vector<Climbed>& all) -> Measurement {
             Worst off;
             Largest halving;
@@ -192,8 +192,8 @@ void claim_thesis(const Claims<std::vector<Climbed>>& claims) {
                     .told = {.limit = halving.value()}};
           },
           Bound{.limit = Amount::told_by_run(useful),
-                .reason = "the thesis does not state the mesh of its values: what the last halving of the cells "
-                          "changes at most; the two decimals of the thesis are 2 % of the lowest value"});
+                .reason = "the thesis does not state its mesh: the largest change by the last halving of the cells; "
+                          "the two decimals of the thesis are 2 % of the lowest value"});
 }
 
 /// The order that is farthest from 1 of all waves.
@@ -208,7 +208,7 @@ void claim_convergence(const Claims<std::vector<Climbed>>& claims) {
   claims.at("three finest meshes")
       .from("contact points climb along the surface, where nodes are first-order accurate")
       .check(
-          "order", "The run-up on slopes converges with the first order.",
+          "order", "The run-up on slopes converges at first order.",
           "order from the last two halvings, farthest from 1 of all waves",
           [](const std::vector<Climbed>& all) { return order_off_first(all, &Climbed::order); },
           Bound{.limit = 0.5,
@@ -220,7 +220,7 @@ void claim_exact(const Claims<std::vector<Climbed>>& claims, std::size_t levels)
   const auto finest = claims.at(fmt::format("h1 = {:g}", meshes[levels - 1].spacing)).where("A = {:g}");
   finest.check(
       "exact", "The run-up agrees with the Euler equations within the finest mesh's uncertainty.",
-      "largest difference over the uncertainty that the change from mesh to mesh gives",
+      "largest difference over the mesh uncertainty",
       [](const std::vector<Climbed>& all) {
         return over<Worst>(
             all,
@@ -230,8 +230,8 @@ void claim_exact(const Claims<std::vector<Climbed>>& claims, std::size_t levels)
             &Climbed::amplitude);
       },
       Bound{.limit = 1,
-            .reason = "the 95 % half-width from the change from mesh to mesh, of which no more than 15 % of the run-up "
-                      "counts; the exact values are known to seven digits"});
+            .reason = "the 95 % half-width from the change between meshes, at most 15 % of the run-up; exact values to "
+                      "seven digits"});
   finest.check(
       "exact-order", "The run-up converges to the Euler equations at first order.",
       "order of the difference from the last halving, farthest from 1 of all waves",
@@ -244,7 +244,7 @@ void claim_measurements(const Claims<std::vector<Climbed>>& claims, std::size_t 
       .from("Hall and Watts (1953)")
       .check(
           "measurements",
-          "The run-up extrapolated to fine meshes agrees with Hall and Watts' formula for their measurements.",
+          "The run-up extrapolated to fine meshes agrees with the formula of Hall and Watts (1953) within its scatter.",
           "rms of R/R_formula - 1",
           [](const std::vector<Climbed>& all) -> Measurement {
             const auto deviation =
@@ -257,41 +257,43 @@ void claim_measurements(const Claims<std::vector<Climbed>>& claims, std::size_t 
           Uncertainty{.data = exact::HallWatts::scatter(),
                       .useful = useful,
                       .reason = "scatter of the measurements about their formula, 5 % (assumed); of the extrapolation, "
-                                "what the last halving of the cells changes"});
+                                "the change by the last halving of the cells"});
 }
 
 void claim_sliding_toe(const Claims<std::vector<Climbed>>& claims, std::size_t levels) {
   const double finest = meshes[levels - 1].tau;
   claims.at("all meshes")
       .check(
-          "tangles", "With a toe that slides no cell tangles before the maximum run-up.",
-          "meshes on which one does, of all waves",
+          "tangles", "The number of tangled meshes before the maximum run-up, with a sliding toe, is zero.",
+          "tangled meshes, all waves",
           [](const std::vector<Climbed>& all) {
             return over<Mean>(all, [](const Climbed& one) { return one.sliding_tangles.value(); }).sum();
           },
           Bound{.limit = 0, .reason = "none"});
   claims.at("all meshes")
       .where("A = {:g}")
-      .from("the discrete gradient, and chords for tangents: exact on any curve")
+      .from("discrete gradient, with chords as tangents: exact on any curve")
       .check(
-          "energy", "Energy stays while nodes slide around the toe, until the maximum run-up.",
-          "largest change over the wave's energy",
+          "energy", "The energy is conserved to round-off until the maximum run-up while nodes slide around the toe.",
+          "largest change over the wave energy",
           [](const std::vector<Climbed>& all) {
             return over<Worst>(
                 all, [](const Climbed& one) { return one.sliding_energy.value(); }, &Climbed::amplitude);
           },
-          Roundoff{.operations = latest_runup / finest * sweeps,
-                   .scale = farthest,
-                   .reason =
-                       "a rounded place, at most 27 depths from the origin, per sweep of a step, six a step, up to t = "
-                       "17 on the finest mesh; pressures of the wave's height do the work of its energy over a depth"});
+          Roundoff{
+              .operations = latest_runup / finest * sweeps,
+              .scale = farthest,
+              .reason =
+                  "one rounded position, at most 27 depths from the origin, per sweep, six sweeps per step, up to t = "
+                  "17 on the finest mesh; pressures of the wave height do the work of the wave energy over one depth"});
   claims.at(fmt::format("h1 = {:g}", meshes[levels - 1].spacing))
       .where("A = {:g}")
       .check(
-          "toe", "Whether the toe stays or slides changes the run-up by no more than what either still errs.",
-          "largest change of the run-up over what the last halving of the cells changes with both toes",
+          "toe", "The difference of run-up between fixed and sliding toe is at most 1.0 times the mesh errors of both.",
+          "largest difference of run-up over the change by the last halving of the cells with both toes",
           [](const std::vector<Climbed>& all) { return over<Worst>(all, &Climbed::toe_matters, &Climbed::amplitude); },
-          Bound{.limit = 1, .reason = "of first order: what the last halving changes is what is left of each"});
+          Bound{.limit = 1,
+                .reason = "first order: the change by the last halving equals the remaining error of each"});
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
@@ -340,9 +342,9 @@ Results compute(const Run& run) {
 void tabulate(const std::vector<Climbed>& all, evidence::Exhibit& exhibit) {
   evidence::Table& table = add_table(
       exhibit, "runup", "Run-up on slopes",
-      "By meshes of columns 1, 1/2, 1/4 wide, then extrapolated from the two finest; on the finest with a toe that "
-      "slides; of the Euler equations; the thesis; the formula of Hall and Watts; when with Frank's toe a cell inverts "
-      "first on the finest mesh that does, before the maximum run-up.",
+      "Meshes of columns 1, 1/2, 1/4 wide, then extrapolated from the two finest; finest mesh with a sliding toe; "
+      "Euler equations; the thesis; the formula of Hall and Watts; first inversion of a cell before the maximum run-up "
+      "with Frank's toe, on the finest mesh where one occurs.",
       {"tan [1]", "A [depth]", "R (1) [depth]", "R (1/2) [depth]", "R (1/4) [depth]", "extrapolated [depth]",
        "sliding toe [depth]", "exact [depth]", "thesis [depth]", "Hall-Watts [depth]", "tangled at [sqrt(depth/g)]"},
       {"frank-slopes-2d"});
@@ -360,8 +362,7 @@ void draw(const std::vector<Climbed>& all, evidence::Exhibit& exhibit) {
                                 "his own values, and the formula of Hall and Watts with its scatter of 5 %.",
                                 {"frank-slopes-2d"});
   for (const double cot_slope : {1.0, 2.0}) {
-    auto& panel = figure.panel(
-        {.x = "A [depth]", .y = "R [depth]", .title = fmt::format("slope of tangent {:g}", 1 / cot_slope)});
+    auto& panel = figure.panel({.x = "A [depth]", .y = "R [depth]", .title = fmt::format("slope {:g}", 1 / cot_slope)});
     const std::vector<double> fine = evenly(0.05, 0.55, 51);
     const exact::HallWatts law(1, 1 / cot_slope);
     panel.line("Hall and Watts", fine, each(fine, [&](double a) { return law.runup(a); }), Role::guide);
@@ -385,8 +386,8 @@ void show_one(const Climb& one, evidence::Exhibit& exhibit) {
     exhibit.measure("tangle_time", one.run.tangle->time);
     exhibit.measure("tangle_place", one.run.tangle->place);
   }
-  const std::string title = fmt::format("A = {:g}, slope of tangent {:g}, {}.", one.climb.wave.amplitude(),
-                                        one.climb.tan_slope, one.climb.resolution());
+  const std::string title =
+      fmt::format("A = {:g}, slope {:g}, {}.", one.climb.wave.amplitude(), one.climb.tan_slope, one.climb.resolution());
   add_panel(exhibit, "shoreline", "Elevation of the contact point", title,
             {.x = "t [sqrt(depth/g)]", .y = "elevation [depth]"})
       .line("contact point", one.time, one.level);
@@ -413,15 +414,14 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 
 void slope_run_up_mesh(Case& c) {
   c.former_names = {"slope_run_up_2d"};
-  c.title = "A solitary wave climbs steep slopes: the two-dimensional Lagrangian mesh";
+  c.title = "Run-up of a solitary wave on steep slopes: two-dimensional Lagrangian mesh";
   c.source = literature::frank + ", section 2.2 and table of chapter 3; " + literature::hall_watts;
   c.tiers = {Tier::quick, Tier::full};
-  c.parameters =
-      joined({{real("amplitude", 0.29, "depth", {0.01, 0.6}, "height of the incident wave"),
-               real("tan_slope", 1.0, "1", {0.3, 5}, "tangent of the slope")},
-              mesh_parameters(0.25, 8, 0.025),
-              {real("rounding", 0.0, "columns", {0, 4}, "of the toe, to either side; 0: the toe's node stays"),
-               toggle("beyond_tangling", true, "go on when a cell inverts, as Frank's model does")}});
+  c.parameters = joined({{real("amplitude", 0.29, "depth", {0.01, 0.6}, "height of the incident wave"),
+                          real("tan_slope", 1.0, "1", {0.3, 5}, "slope, vertical over horizontal")},
+                         mesh_parameters(0.25, 8, 0.025),
+                         {real("rounding", 0.0, "columns", {0, 4}, "of the toe, to either side; 0: fixed toe node"),
+                          toggle("beyond_tangling", true, "continue when a cell inverts, as in Frank's model")}});
   c.published = {{.tiles = {"frank-slopes-2d"}, .stated = {"tan_slope", "scheme"}}};
   c.study = Study(claims, compute, show, source);
 }

@@ -82,18 +82,19 @@ RunUp run_up(const SolitaryClimb& climb, const ClimbWatch& watch) {
 std::vector<Parameter> step_parameters() {
   return {
       real("tau_over_h", 0.25, "1", {1e-3, 2}, "time step over the spacing; shorter steps in shallow water"),
-      choice("scheme", "one_step", {"one_step", "one_step_feedback", "conservative"}, "stepping; Frank's is the first"),
+      choice("scheme", "one_step", {"one_step", "one_step_feedback", "conservative"},
+             "time stepping; the first is Frank's"),
   };
 }
 
 std::vector<Parameter> climb_parameters(ByTier<double> spacing) {
-  return joined({{real("h", spacing, "depth", {1e-3, 1}, "distance of the markers at rest")}, step_parameters()});
+  return joined({{real("h", spacing, "depth", {1e-3, 1}, "node spacing at rest")}, step_parameters()});
 }
 
 std::vector<Parameter> slope_parameters() {
   return {
       choice("tip_mass", "elementary", {"elementary", "consistent"},
-             "mass of the shoreline marker: V/4 of its triangle, as Frank has it, or V/6, which converges faster"),
+             "mass of the shoreline node: V/4 of its triangle, as in Frank's thesis, or V/6, which converges faster"),
       choice("kinetics", "frank", {"frank", "green_naghdi"},
              "kinetic energy over a slope: Frank's, or Green and Naghdi's"),
   };

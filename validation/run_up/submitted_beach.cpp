@@ -53,22 +53,21 @@ std::vector<WantedTable> wanted(const Values& values) {
   evidence::Bound near = shared();
   near.expected = to_be_told();
   near.relative = true;
-  return {
-      wanted_curves(profiles_of(values, profile_table),
-                    {.name = "profiles", .kind = WantedTable::Kind::profile, .group = time, .abscissa = place},
-                    {"eta_over_d", "1", "surface elevation; nothing, or the beach, where it is dry"}, profile_table),
-      wanted_curves(exact_gauges(values),
-                    {.name = "gauges", .kind = WantedTable::Kind::series, .group = place, .abscissa = time},
-                    {"gauge_over_d", "1", "surface elevation at a gauge"}, gauge_table),
-      {.name = "numbers",
-       .quantities = {{.column = {"R_over_d", "1", "largest height of the shoreline above still water"},
-                       .reference = [run_up](Place) { return *run_up; },
-                       .requirements = {{.measure = Measure::value,
-                                         .criterion = near,
-                                         .text = "The run-up agrees with the exact solution.",
-                                         .source = each.claim.source}}}},
-       .exact = {fmt::format("seiche exact solitary_runup --set amplitude={:g},cot_slope={:g} --integrals",
-                             beach_theory_amplitude, beach_cot_slope)}}};
+  return {wanted_curves(profiles_of(values, profile_table),
+                        {.name = "profiles", .kind = WantedTable::Kind::profile, .group = time, .abscissa = place},
+                        {"eta_over_d", "1", "surface elevation; empty, or the beach, where dry"}, profile_table),
+          wanted_curves(exact_gauges(values),
+                        {.name = "gauges", .kind = WantedTable::Kind::series, .group = place, .abscissa = time},
+                        {"gauge_over_d", "1", "surface elevation at a gauge"}, gauge_table),
+          {.name = "numbers",
+           .quantities = {{.column = {"R_over_d", "1", "maximum shoreline elevation above still water"},
+                           .reference = [run_up](Place) { return *run_up; },
+                           .requirements = {{.measure = Measure::value,
+                                             .criterion = near,
+                                             .text = "Maximum run-up agrees with the exact solution within 5 %.",
+                                             .source = each.claim.source}}}},
+           .exact = {fmt::format("seiche exact solitary_runup --set amplitude={:g},cot_slope={:g} --integrals",
+                                 beach_theory_amplitude, beach_cot_slope)}}};
 }
 
 /// Fewer points hide what is between them. A gauge may be dry for a while, and show nothing.
@@ -127,7 +126,7 @@ void judge(const Values& values, const Submitted& submitted, const SolverFacts& 
     for (const BeachClaim& one : {all_profiles(), each_profile()})
       record.leave_out({one.claim, "the table was not submitted"});
   }
-  BeachClaim gauges{{"gauges", "The gauges show the exact solution's records.",
+  BeachClaim gauges{{"gauges", "Surface elevations at the gauges agree with the exact solution.",
                      "largest rms difference over the rms of the record", "1", each_profile().claim.source},
                     shared()};
   if (const auto found = submitted.find("gauges"); found != submitted.end()) {

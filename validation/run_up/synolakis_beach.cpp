@@ -1,26 +1,25 @@
 /*
-Synolakis (1987) sent solitary waves up a plane beach of slope 1 : 19.85 and photographed the surface. His profiles of a
-wave that does not break, $A = 0.0185$, and his exact solution of the shallow-water equations for $A = 0.019$ are the
-benchmark that every model of tsunamis is held against. Frank (1994, figure 5) shows his one-dimensional discrete model
-beside them.
+Synolakis (1987) photographed solitary waves on a 1:19.85 plane beach. His profiles of a non-breaking wave, $A =
+0.0185$, and his exact solution of the shallow-water equations for $A = 0.019$ are the standard benchmark of tsunami
+models. Frank (1994, figure 5) shows his one-dimensional discrete model beside them.
 
-**Set-up.** As in `run_up_1d`. Time is counted from when the crest of the undisturbed wave is
-$\operatorname{arccosh}(\sqrt{20})/\sqrt{3A/4}$ before the toe, as the measurements are. Where
-the model is dry its surface is the beach.
+**Set-up.** As in `run_up_1d`. Time counts, as in the measurements, from the instant at which the crest of the
+undisturbed wave is $\operatorname{arccosh}(\sqrt{20})/\sqrt{3A/4}$ before the toe. Where the model is dry its surface
+is the beach.
 
-**What is compared.** Profiles with the exact solution and with the laboratory. And a wave of $A = 0.3$, which breaks in
-the laboratory, and which no model without dissipation can follow: how far it gets depends on the spacing. With breaking
-fronts and the friction of a smooth bottom, Manning's $n$ = 0.009 s/m$^{1/3}$ under the experiment's 0.156 m of water or
-0.038 in these units, it is followed and compared. For the run-up see `synolakis_runup`.
+**What is compared.** Profiles with the exact solution and with the laboratory. A wave of $A = 0.3$, which breaks in the
+laboratory and which no model without dissipation can follow: the time reached depends on the spacing. With breaking
+fronts and the friction of a smooth bed, Manning's $n$ = 0.009 s/m$^{1/3}$ at the experiment's depth of 0.156 m or 0.038
+in these units, the wave is followed and compared. For the run-up see `synolakis_runup`.
 
-**Your solver.** The exact solution, the first of the NTHMP's benchmark problems: surfaces from $t = 35$ to 70, gauges
-at $x = 0.25$ and 9.95, and the run-up of $A = 0.019$, all in depths and $\sqrt{d/g}$, $x$ from the shoreline at rest,
-positive offshore. For the laboratory, the fourth problem, see `plane_beach`.
+**Your solver.** The exact solution, NTHMP benchmark problem 1: surfaces from $t = 35$ to 70, gauges at $x = 0.25$ and
+9.95, and the run-up of $A = 0.019$, all over depth and $\sqrt{d/g}$, $x$ from the still-water shoreline, positive
+offshore. For the laboratory, problem 4, see `plane_beach`.
 
 The thesis draws the instants $t$ = 30, 40, 50, 60 and 70, and prints no number.
 
-**What to look at.** At $t = 70$ the water runs back in a thin tongue: there the laboratory, where the bottom holds it,
-and flow without friction part. Elsewhere the model is nearer to the measurements than the shallow-water equations.
+**What to look at.** At $t = 70$ the water runs back in a thin tongue, where the laboratory, with bed friction, and
+frictionless flow differ. Elsewhere the model is nearer to the measurements than the shallow-water equations.
 */
 #include <algorithm>
 #include <cmath>
@@ -183,9 +182,9 @@ void draw_profiles(evidence::Exhibit& exhibit, const Profiles& laboratory, const
 
 void draw_breaking_wave(evidence::Exhibit& exhibit, const Profiles& laboratory, const std::vector<Breaking>& runs,
                         const Profiles& closure) {
-  auto& figure = exhibit.figure("breaking_wave", "A wave that breaks in the laboratory",
-                                "A = 0.3, outside the validity of the model without breaking. Its curves end where the "
-                                "run with that spacing stops.");
+  auto& figure = exhibit.figure(
+      "breaking_wave", "Wave breaking in the laboratory",
+      "A = 0.3, outside the validity of the model without breaking. Curves end where the run with that spacing stops.");
   for (const auto& [t, measured] : laboratory) {
     auto& panel = figure.panel({.x = "x [depth]", .y = "elevation [depth]", .title = fmt::format("t = {:g}", t)});
     panel.points("laboratory", measured.x, measured.y, Role::data);
@@ -216,13 +215,13 @@ void claims(const Values& values, const Claims<Results>& claims) {
   analytic
       .fails({.value = 0.0533,
               .width = 0.0015,
-              .reason = "at t = 65 the surface is nearly level and the wave, dispersive and faster than "
-                        "sqrt(g d), has already left; with finer markers the distance stays"})
+              .reason = "at t = 65 the surface is nearly level and the wave, dispersive and faster than sqrt(g d), has "
+                        "already left; the difference does not fall with the spacing"})
       .check(each_profile().claim, largest_over_range, each_profile().bound);
   analytic.from(literature::frank + ", figure 5")
       .check(
           "figure-profiles",
-          "Each surface profile of figure 5 for which there is an exact shallow-water solution agrees with it.",
+          "Each surface profile of figure 5 at t = 40 to 70 agrees with the exact shallow-water solution.",
           "largest rms distance over the range of the profile, t = 40, 50, 60, 70",
           [](const Differences& all) {
             Differences of_figure;
@@ -231,14 +230,13 @@ void claims(const Values& values, const Claims<Results>& claims) {
           },
           each_profile().bound);
   profiles
-      .fails(
-          {.value = 0.0068,
-           .width = 0.0003,
-           .reason =
-               "the exact solution of the shallow-water equations is as far off: the incident wave in the laboratory "
-               "is not quite a solitary wave, and friction and surface tension hold the thin tongue back"})
+      .fails({.value = 0.0068,
+              .width = 0.0003,
+              .reason = "the exact shallow-water solution has an equal error: the incident wave in the laboratory is "
+                        "not quite a solitary wave, and friction and surface tension retard the thin tongue"})
       .check(
-          "laboratory-profiles", "The surface at all times agrees with the measured profiles.",
+          "laboratory-profiles",
+          "Surface profiles at all times agree with the measurement within 5 % of the wave height.",
           "largest rms distance [depth]",
           [](const Results& r) -> Measurement {
             const Worst worst = farthest(r.off_laboratory);
@@ -249,35 +247,37 @@ void claims(const Values& values, const Claims<Results>& claims) {
           Uncertainty{
               .data = reference_source("synolakis_1987_profiles_0_0185").standard_uncertainty.at("eta_over_d").value,
               .useful = 0.005,
-              .reason = "gauge and repeatability, 5 % of the wave's height (assumed)"});
+              .reason = "gauge and repeatability, 5 % of the wave height (assumed)"});
   profiles.check(
       "as-near",
-      "The model is no farther from the measured surface than the exact solution of the shallow-water equations.",
-      "rms distance over the distance of the exact solution, t = 40 to 70",
-      [](const Results& r) { return r.nearness.ratio(); }, Bound{.limit = 1, .reason = "no farther means at most 1"});
+      "The rms difference of the model from the measured surface is at most the difference of the exact shallow-water "
+      "solution.",
+      "rms difference over the difference of the exact solution, t = 40 to 70",
+      [](const Results& r) { return r.nearness.ratio(); },
+      Bound{.limit = 1, .reason = "at most equal means a ratio of 1 or less"});
   claims.at("h = 0.5, 0.25, 0.125, tau = h/16")
       .check(
           "breaking-wave",
-          "A wave of A = 0.3 is outside the model's validity: the finer the markers, the earlier its front is too "
-          "steep for them.",
+          "The time reached with a wave of A = 0.3 falls with the spacing: breaking is outside the validity of the "
+          "model.",
           "runs stop earlier with each halving of the spacing",
           [](const Results& r) { return stop_ever_earlier(r.breaking); },
-          Qualitative{.detector = "times at which markers cross or the water is gone",
-                      .reason = "waves higher than 0.8183 cot^(-10/9) = 0.03 break on the way up; a model that keeps "
-                                "energy cannot carry the bore"});
+          Qualitative{.detector = "times at which nodes cross or a column runs dry",
+                      .reason = "waves higher than 0.8183 cot^(-10/9) = 0.03 break on the way up; an energy-conserving "
+                                "model cannot represent the bore"});
   const auto closure = claims.at("h = 0.125, breaking, friction");
   closure.check(
-      "closure-follows", "With breaking and friction the wave is followed up the beach and down again, until t = 80.",
+      "closure-follows", "The run with breaking and friction reaches t = 80, after run-up and run-down.",
       "runs to the end", [](const Results& r) { return !r.closure.stopped.has_value(); },
-      Qualitative{.detector = "markers cross or the water is gone before t = 80",
-                  .reason = "the front is a bore of finite width, and the tongue is slowed down"});
+      Qualitative{.detector = "nodes cross or a column runs dry before t = 80",
+                  .reason = "the front is a bore of finite width, and friction slows the tongue"});
   const auto distance = [](double t, const Results& r) {
     const Difference off = differences(r.closure.surfaces, r.breaking_laboratory).at(t);
     return off.off.rms() / off.range;
   };
   const std::string laboratory = "10 %, the tolerance of laboratory benchmarks in NOAA Tech. Memo. OAR PMEL-135 (2007)";
   const std::string ahead =
-      "before it breaks, at t = 15, the computed crest is 0.8 depths ahead of the measured one and a sixth higher: the "
+      "before breaking, at t = 15, the computed crest leads the measured one by 0.8 depths and is a sixth higher: the "
       "wave in the laboratory is lower or slower than its nominal height";
   for (const double t : {15.0, 20.0, 25.0, 30.0}) {
     closure.fails({.value = t == 15 ? 0.15 : 0.192, .width = 0.01, .reason = ahead}, t <= 20)
@@ -315,7 +315,7 @@ Results compute(const Run& run) {
 
 void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
   draw_profiles(exhibit, r.laboratory, r.analytic, r.with_theory);
-  evidence::Table& table = add_table(exhibit, "profiles", "Distance of the profiles",
+  evidence::Table& table = add_table(exhibit, "profiles", "Difference of the profiles",
                                      "Root mean square over the reference points, the beach where the model is dry; "
                                      "range of the reference profile; reference points where the model is dry.",
                                      {"reference", "A [depth]", "t", "rms [depth]", "range [depth]", "dry [1]"});
@@ -335,7 +335,7 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 }  // namespace
 
 void synolakis_beach(Case& c) {
-  c.title = "Solitary waves climb a beach 1 : 19.85: profiles against Synolakis' laboratory and theory";
+  c.title = "Run-up of solitary waves on a 1:19.85 beach: profiles against Synolakis' laboratory and theory";
   c.source = literature::frank + ", figure 5; " + literature::synolakis;
   c.parameters = joined({climb_parameters({0.25, 0.125, 0.0625}), slope_parameters()});
   c.published = {{.tiles = {"frank-fig-5"}, .stated = {"kinetics", "scheme"}}};

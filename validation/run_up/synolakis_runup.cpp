@@ -1,15 +1,15 @@
 /*
-How high a solitary wave climbs a plane beach of slope 1 : 19.85: Synolakis (1987) measured it, solved it exactly for
-the shallow-water equations, and found the run-up law $R = 2.831\sqrt{\cot\beta}\,A^{5/4}$.
+The run-up of a solitary wave on a 1:19.85 plane beach: Synolakis (1987) measured it, solved it exactly for the
+shallow-water equations, and found the run-up law $R = 2.831\sqrt{\cot\beta}\,A^{5/4}$.
 
 **Set-up.** As in `run_up_1d`.
 
-**What is compared.** For $A = 0.019$ the maximum run-up as the spacing goes to zero, with the tip of Frank's thesis, of
-mass $V/4$, and with $V/6$, with which a plane surface over a plane slope accelerates as it should. And the run-up of
-all 29 laboratory waves that do not break, $A \le 0.045$.
+**What is compared.** For $A = 0.019$ the maximum run-up as the spacing tends to zero, with the tip mass of Frank's
+thesis, $V/4$, and with $V/6$, for which a plane surface over a plane slope has the exact acceleration. The run-up of
+all 29 non-breaking laboratory waves, $A \le 0.045$.
 
-**What to look at.** The two tips tend to the same run-up. At $h = 1/2$ the tip $V/6$ is nearer to it than the other is
-at $h = 1/16$. In the laboratory waves of $A < 0.01$ climb as high as the theories say, higher ones less high.
+**What to look at.** Both tips converge to the same run-up. The error of the $V/6$ tip at $h = 1/2$ is smaller than the
+error of the other at $h = 1/16$. In the laboratory waves of $A < 0.01$ climb as high as in theory, higher waves less.
 */
 #include <cmath>
 #include <functional>
@@ -98,30 +98,32 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const auto refined = claims.at(fmt::format("h = 0.5 to {:g}, tip V/6, extrapolated",
                                              0.5 / std::pow(2.0, static_cast<double>(values.integer("levels") - 1))));
   refined.check(
-      "runup", "The maximum run-up agrees with the exact solution of the shallow-water equations.", "run-up [depth]",
+      "runup", "Maximum run-up agrees with the exact shallow-water solution within 5 %.", "run-up [depth]",
       [](const Results& r) { return r.consistent.limit().extrapolated; },
       Bound{.limit = 0.05, .reason = benchmark, .expected = exact_runup(), .relative = true});
 
   const auto laboratory = claims.at(climb_from(values, cot_slope, 0.02).resolution());
   laboratory.check(
-      "law", "For the heights of the laboratory the model follows the run-up law.", "rms of R/R_law - 1, A <= 0.045",
-      [](const Results& r) { return r.laboratory.off_law.rms(); }, Bound{.limit = 0.05, .reason = benchmark});
+      "law", "The run-up at the laboratory heights agrees with the run-up law within 5 % (rms).",
+      "rms of R/R_law - 1, A <= 0.045", [](const Results& r) { return r.laboratory.off_law.rms(); },
+      Bound{.limit = 0.05, .reason = benchmark});
   laboratory
       .fails({.value = 0.29,
               .width = 0.015,
-              .reason = "from A = 0.01 on, flow without friction and surface tension climbs higher than water in a "
-                        "laboratory, and the run-up law does so as well; 0.30 with h = 1/4, 0.28 with 1/8"})
+              .reason = "from A = 0.01 on, the run-up without friction and surface tension exceeds the measured one, "
+                        "and so does the run-up law; 0.30 with h = 1/4, 0.28 with 1/8"})
       .check(
-          "laboratory-runups", "The maximum run-up agrees with the measurements.",
+          "laboratory-runups", "Maximum run-up agrees with the measurements of Synolakis (1987).",
           "rms of R/R_measured - 1, A <= 0.045",
           [](const Results& r) -> Measurement {
             const double rms = r.laboratory.off_measured.rms();
             return {.value = rms, .uncertainty = fine_limit({1, 2}, {rms, r.coarse.off_measured.rms()}, 1).uncertainty};
           },
-          Uncertainty{.data = reference_source("synolakis_1987_runup").standard_uncertainty.at("R_over_d").value,
-                      .useful = 0.15,
-                      .reason = "5 %, the scatter of repeated heights (assumed); the model's own from twice the "
-                                "spacing, of first order"});
+          Uncertainty{
+              .data = reference_source("synolakis_1987_runup").standard_uncertainty.at("R_over_d").value,
+              .useful = 0.15,
+              .reason =
+                  "5 %, the scatter of repeated heights (assumed); numerical: from twice the spacing, first-order"});
 }
 
 Results compute(const Run& run) {
@@ -136,7 +138,7 @@ Results compute(const Run& run) {
 
 void show_refinement(const Results& r, evidence::Exhibit& exhibit) {
   auto& panel = add_panel(exhibit, "refinement", "The maximum run-up as the spacing goes to zero",
-                          "A = 0.019. The mass of the shoreline marker decides how fast it converges.",
+                          "A = 0.019. The mass of the shoreline node determines the rate of convergence.",
                           {.x = "h [depth]", .y = "R [depth]"});
   for (const auto& [sequence, id, label] : {std::tuple{&r.elementary, "elementary", "tip V/4, the thesis's"},
                                             std::tuple{&r.consistent, "consistent", "tip V/6"}}) {

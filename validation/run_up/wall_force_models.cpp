@@ -1,28 +1,26 @@
 /*
-Which model should one take for the force of a wave on a wall? A high solitary wave meets a vertical wall, by seven
-models: shallow water, the discrete dispersive shallow water, the Lagrangian mesh, free particles under Gauss's
-principle, Dirichlet cells, particles of variable mass, and weakly compressible SPH. Fully nonlinear potential flow by
-the boundary-integral method tells how far off each is.
+Which model suits the force of a wave on a wall? A high solitary wave meets a vertical wall, computed with seven models:
+shallow water, dispersive shallow water, the Lagrangian mesh, Gauss-principle particles, Dirichlet cells, variable-mass
+particles, and weakly compressible SPH. The reference is fully nonlinear potential flow by the boundary-integral method.
 
-**Set-up.** Depth, gravity and density are 1. The wave starts from its exact surface and velocities so far from the wall
-that it is less than two ten-thousandths of its height there; the dispersive model starts from the solitary wave of its
-own equations. SPH has the mirror image of the water in place of the wall. Each model is refined in space and time
-together.
+**Set-up.** Depth, gravity and density are 1. The wave starts from its exact surface and velocities, at a distance where
+it is less than 0.0002 of its height at the wall; the dispersive model starts from the solitary wave of its own
+equations. In SPH the mirror image of the water replaces the wall. Each model is refined in space and time together.
 
-**What is compared.** Force per unit width on the wall. All models give it in the same way: it is the force of the water
-at rest on the opposite wall, less what the momentum of the water gains in a time of a tenth; the exact force is
-averaged over the same times. The level of the water at the wall is read at the end of each. The error is the root mean
-square from the moment when the crest would be four depths from the wall until the water there has fallen to half its
-height, over the largest force beyond that at rest.
+**What is compared.** Force per unit width on the wall, obtained in the same way from all models: the hydrostatic force
+on the opposite wall minus the gain of the water's momentum over intervals of 0.1; the exact force is averaged over the
+same intervals. The water level at the wall is read at the end of each. The error is the rms from the time at which the
+undisturbed crest would be at a distance of 4 from the wall until the level there has fallen to half of its maximum,
+over the largest force in excess of the hydrostatic one.
 
-**What to look at.** Above a height of some 0.4 depths the force has two maxima, with a dip between them while the water
-is highest: the water at the wall falls almost freely then (Cooker, Weidman and Bale 1997). Free particles and the mesh
-show both; the force of cells with stabilised pressures fluctuates by as much as the dip, in SPH by a fifth of the
-largest. Dispersive shallow water has one maximum, three per cent too high, and its
-run-up is seven per cent too low; plain shallow water turns the wave into a bore. With `heights` the models meet waves
-of 0.1 to 0.6 depths on the quick tier's sizes: the error of dispersive shallow water's force grows from one per cent of
-the largest force to twelve; the errors of free particles, mesh, Dirichlet cells and variable masses stay below 0.6 per
-cent up to 0.4. The mesh breaks down at 0.5, the other three at 0.6. SPH on seven rows is off by 9 to 21 per cent.
+**What to look at.** Above H/h of some 0.4 the force has two maxima, with a dip between them at the time of the highest
+level, when the water at the wall is nearly in free fall (Cooker, Weidman and Bale 1997). Gauss-principle particles and
+the mesh show both; the force of cells with stabilised pressures fluctuates by as much as the dip, in SPH by a fifth of
+the maximum. Dispersive shallow water has one maximum, 3 % too high, and its run-up is 7 % too low; in plain shallow
+water the wave becomes a bore. With `heights` the models meet waves of H/h = 0.1 to 0.6 at the quick tier's resolutions:
+the force error of dispersive shallow water grows from 1 to 12 % of the maximum force; the errors of Gauss-principle
+particles, mesh, Dirichlet cells and variable-mass particles stay below 0.6 % up to H/h = 0.4. The mesh breaks down at
+0.5, the other three at 0.6. The error of SPH with seven particles over the depth is 9 to 21 %.
 */
 #include <algorithm>
 #include <cmath>
@@ -176,80 +174,82 @@ double error_of_level(const Felt& felt, const Meeting& r) {
 void claims(const Values& values, const Claims<Results>& claims) {
   const Claims<Results> all = claims.at("the finest");
   const auto contest = all.of(&Results::contest);
-  const auto high = all.only_if(values.real("amplitude") >= 0.45, "lower waves have one maximum, or a faint dip");
+  const auto high = all.only_if(values.real("amplitude") >= 0.45, "lower waves have one maximum, or a small dip");
   const std::string share = "dip over the dip of the exact force";
   const auto dip_of = [](const std::string& id) {
     return [id](const Results& r) { return dip(r.felt.at(id).force) / dip(r.exact.force); };
   };
   const auto two_maxima = [&](const Claims<Results>& list, const Named& model) {
-    list.check(
-        model.id + "-dip", fmt::format("The force has two maxima with a dip between them ({}).", model.name), share,
-        dip_of(model.id),
-        Bound{.limit = 0.5, .reason = "a force with one maximum is off by all of the dip: half of it", .expected = 1});
+    list.check(model.id + "-dip", fmt::format("The force has two maxima with a dip between them ({}).", model.name),
+               share, dip_of(model.id),
+               Bound{.limit = 0.5,
+                     .reason = "a force with one maximum is in error by the whole dip; the limit is half of it",
+                     .expected = 1});
   };
   two_maxima(high, {"particles", "Gauss particles"});
   two_maxima(high, {"mesh", "the Lagrangian mesh"});
   const auto noisy = high.fails(
       {.width = std::numeric_limits<double>::infinity(),
        .reason =
-           "forces of cells with stabilised pressures fluctuate by as much as the dip, on six rows and on twelve"});
+           "forces of cells with stabilised pressures fluctuate by as much as the dip, with six rows and with twelve"});
   two_maxima(noisy, {"dirichlet", "Dirichlet cells"});
   two_maxima(noisy, {"variable-mass", "particles of variable mass"});
-  high.check("shallow-water-one-maximum", "The hydrostatic force of shallow water has one maximum.", share,
-             dip_of("shallow-water"),
-             Bound{.limit = 0.5, .reason = "its pressure knows no vertical acceleration: half of the exact dip"});
+  high.check(
+      "shallow-water-one-maximum", "The hydrostatic force of shallow water has a single maximum.", share,
+      dip_of("shallow-water"),
+      Bound{.limit = 0.5,
+            .reason = "hydrostatic pressure excludes vertical acceleration; the limit is half of the exact dip"});
   claims_of(contest, "mesh")
-      .only_if(values.real("amplitude") == 0.5, "lower waves do not tangle it, higher ones do earlier")
+      .only_if(values.real("amplitude") == 0.5, "lower waves do not tangle the mesh, higher ones do so earlier")
       .fails({.width = std::numeric_limits<double>::infinity(),
               .reason = "no force restores the shape of a Lagrangian cell: as the water falls along the wall, the mesh "
-                        "tangles below its surface"})
+                        "tangles below the surface"})
       .check(
-          "mesh-lasts", "The run reaches the end time (the Lagrangian mesh).", "share of the time that was asked for",
+          "mesh-lasts", "The run reaches the end time (the Lagrangian mesh).", "fraction of the requested time",
           [](const Entry& entry) { return entry.finest().lasted / entry.finest().asked; },
-          Bound{.limit = 1e-9, .reason = "the time that was asked for", .expected = 1});
-  const std::string nearly_long = "the equations of the dispersive model are nearly those of lower waves";
+          Bound{.limit = 1e-9, .reason = "the requested time", .expected = 1});
+  const std::string nearly_long = "the equations of the dispersive model are accurate for lower waves";
   contest.only_if(values.real("amplitude") >= 0.3, nearly_long)
       .check(
           "particles-force",
-          "The error of the free particles' force is below a tenth of dispersive shallow water's error.",
+          "The force error of Gauss-principle particles is below 0.1 of the error of dispersive shallow water.",
           "rms error of the force over the error of the dispersive model",
           [](const Contest& c) { return error_of_finest(c.of("particles")) / error_of_finest(c.of("dispersive")); },
           Bound{.limit = 0.1,
-                .reason = "equations without a vertical structure of the acceleration are off by as much however fine; "
-                          "ten times less tells that it is resolved"});
+                .reason = "the error of equations without vertical structure of the acceleration does not fall with "
+                          "resolution; an error ten times smaller shows that the structure is resolved"});
   all.only_if(values.real("amplitude") >= 0.3, nearly_long)
       .check(
           "particles-run-up",
-          "The error of the free particles' run-up is below 0.2 of dispersive shallow water's error.",
+          "The run-up error of Gauss-principle particles is below 0.2 of the error of dispersive shallow water.",
           "rms error of the level at the wall over the error of the dispersive model",
           [](const Results& r) {
             return error_of_level(r.felt.at("particles"), r) / error_of_level(r.felt.at("dispersive"), r);
           },
           Bound{.limit = 0.2,
-                .reason =
-                    "the level follows the acceleration twice integrated: what the equations miss shows less in it "
-                    "than in the force, where a tenth is asked for"});
-  const auto by_height = all.only_if(values.toggle("heights"), "waves of one height are computed");
+                .reason = "the level is the acceleration integrated twice: the error of the equations is smaller in it "
+                          "than in the force, where the limit is 0.1"});
+  const auto by_height = all.only_if(values.toggle("heights"), "a single wave height is computed");
   by_height.check(
-      "dispersive-grows", "The error of dispersive shallow water's force grows with the height of the wave.",
-      "error at 0.2 to 0.6 depths above the error at the height before",
+      "dispersive-grows", "The force error of dispersive shallow water grows with the wave height.",
+      "error at H/h = 0.2 to 0.6 above the error at the height before",
       [](const Results& r) {
         const auto error = [](const Meeting& met) { return error_of_finest(met.contest.of("dispersive")); };
         const auto not_above = [&](const Meeting& a, const Meeting& b) { return !(error(b) > error(a)); };
         return std::ranges::adjacent_find(r.heights, not_above) == r.heights.end() ? 1.0 : 0.0;
       },
       Qualitative{.detector = "errors at two neighbouring heights compared",
-                  .reason = "its equations leave out terms of the vertical acceleration that grow with the height"});
+                  .reason = "the equations neglect terms of the vertical acceleration that grow with the height"});
   by_height.check(
-      "lowest-two-maxima", "The lowest wave whose exact force has two maxima is about 0.4 depths high.",
+      "lowest-two-maxima", "The smallest wave height with two maxima of the exact force is about H/h = 0.4.",
       "least height with a dip [depth]",
       [](const Results& r) {
         const auto two = std::ranges::find_if(r.heights, [](const Meeting& met) { return dip(met.exact.force) > 0; });
         return two == r.heights.end() ? nan : two->amplitude;
       },
-      Bound{.limit = 0.1, .reason = "the heights are 0.1 apart, and the source says some 0.4", .expected = 0.4});
+      Bound{.limit = 0.1, .reason = "heights at intervals of 0.1; the source states some 0.4", .expected = 0.4});
   claim_dissipates(claims_of(contest, "sph"), {"sph", "SPH"},
-                   "the viscosity acts on approaching pairs against their approach", source);
+                   "artificial viscosity acts on approaching pairs only and is dissipative", source);
 }
 
 Meeting meet(const Run& run, double amplitude, const TankSizes& sizes) {
@@ -279,7 +279,7 @@ Meeting meet(const Run& run, double amplitude, const TankSizes& sizes) {
                          .last = wall.end(),
                          .looks = 4,
                          .useless = 1,
-                         .useless_in_words = "the force is off by all of it",
+                         .useless_in_words = "the force error exceeds the largest force",
                          .energy_scale = wall.wave.kinetic_energy(),
                          .reference_uncertainty = wall.uncertainty});
   return met;
@@ -306,7 +306,7 @@ void draw_heights(const Results& r, evidence::Exhibit& exhibit) {
     }
     panel.line(name, heights, values, role);
   };
-  const std::string sizes = "Over the largest exact force, on the quick tier's sizes.";
+  const std::string sizes = "Over the largest exact force, at the quick tier's resolutions.";
   auto& errors = add_panel(exhibit, "heights", "Error of the force over the height of the wave", sizes,
                            {.x = "height of the wave [depth]", .y = "rms error / largest force", .log_y = true});
   auto& dips = add_panel(exhibit, "dips", "Dip between two maxima of the force over the height of the wave", sizes,
@@ -325,10 +325,9 @@ void draw_heights(const Results& r, evidence::Exhibit& exhibit) {
 /// One figure: a curve of the exact flow and of each model that came so far.
 void draw(const Results& r, Curve Felt::*what, double shift, const std::string& id, const std::string& title,
           const std::string& axis, const Values& values, evidence::Exhibit& exhibit) {
-  auto& panel =
-      add_panel(exhibit, id, title,
-                fmt::format("Wave of {:g} depths, each model on its finest resolution.", values.real("amplitude")),
-                {.x = "t [sqrt(depth/g)]", .y = axis});
+  auto& panel = add_panel(exhibit, id, title,
+                          fmt::format("H/h = {:g}, each model at its finest resolution.", values.real("amplitude")),
+                          {.x = "t [sqrt(depth/g)]", .y = axis});
   const auto line = [&](const std::string& name, const Curve& all, Role role) {
     Curve times, values_there;
     for (std::size_t k = r.first; k < all.size(); ++k) {
@@ -372,13 +371,13 @@ void wall_force_models(Case& c) {
   c.parameters = {
       real("amplitude", 0.5, "depth", {0.1, 0.6}, "crest above still water"),
       integer("particles", {coarse.particles, 8, 8}, {2, 16},
-              "cells of the free particles to the depth, finest of three"),
+              "cells of the Gauss-principle particles per depth, finest of three"),
       integer("mesh", {coarse.mesh, 32, 32}, {8, 64}, "rows of the Lagrangian mesh, finest of four"),
       integer("cells", {coarse.cells, 12, 12}, {6, 32}, "rows of Dirichlet cells and variable masses, the finest"),
       integer("markers", {coarse.markers, 64, 64}, {8, 512},
-              "of dispersive and of plain shallow water to the depth, the finest"),
-      integer("sph", {coarse.sph, 16, 16}, {6, 96}, "rows of SPH particles, finest of three"),
-      toggle("heights", {false, true, true}, "heights of 0.1 to 0.6 depths beside this one"),
+              "nodes or cells of dispersive and plain shallow water per depth, finest"),
+      integer("sph", {coarse.sph, 16, 16}, {6, 96}, "SPH particles over the depth, finest of three"),
+      toggle("heights", {false, true, true}, "also H/h = 0.1 to 0.6"),
   };
   c.study = Study(claims, compute, show, source);
 }

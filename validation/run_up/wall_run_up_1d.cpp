@@ -1,19 +1,19 @@
 /*
-A solitary wave runs against a vertical wall over a level bottom and climbs it: the same flow as the head-on collision
-of two equal waves. The exact run-up of the Euler equations is known to many digits (`wall_run_up_exact`). This case
-shows what Serre's equations, to which Frank's one-dimensional model converges over a level bottom, make of it.
+A solitary wave runs against a vertical wall over a level bed: the same flow as the head-on collision of two equal
+waves. The exact run-up of the Euler equations is known to many digits (`wall_run_up_exact`). The case measures the
+error of Serre's equations, to which Frank's one-dimensional model converges over a level bed.
 
 **Set-up.** Depth and gravity are 1. Serre's wave starts where all but $10^{-4}$ of its height is before the wall. The
-last marker slides up and down the wall; the run-up is its first maximum, from a parabola through the three highest
-steps, and goes to zero spacing by Richardson's extrapolation.
+last node slides up and down the wall; the run-up is its first maximum, from a parabola through the three highest steps,
+extrapolated to zero spacing (Richardson).
 
-**What is compared.** The run-up for several heights with the Euler equations, and with the series
-$R = 2A + \tfrac12 A^2$ (Byatt-Smith) and $R = 2A + \tfrac12 A^2 + \tfrac34 A^3$ (Su and Mirie). Both flows have the
-same series as far as long waves govern them; the case measures how far that is.
+**What is compared.** The run-up for several heights with the Euler equations, and with the series $R = 2A + \tfrac12
+A^2$ (Byatt-Smith) and $R = 2A + \tfrac12 A^2 + \tfrac34 A^3$ (Su and Mirie). Both flows have the same series to the
+order at which long-wave theory holds; the case measures that order.
 
 **What to look at.** The difference from the Euler equations grows nearly like $A^5$. The model is too low by 0.02 % at
-$A = 0.1$, 0.25 % at $0.2$, 3 % at $0.4$ and 15 % at $0.6$. There the water shoots up the wall as a thin sheet, of which
-a velocity that is uniform over the depth knows nothing.
+$A = 0.1$, 0.25 % at $0.2$, 3 % at $0.4$ and 15 % at $0.6$, where the water rises at the wall as a thin sheet, which a
+depth-uniform velocity cannot represent.
 */
 #include <algorithm>
 #include <cmath>
@@ -129,8 +129,9 @@ void claims(const Values& values, const Claims<Results>& claims) {
                             .at(fmt::format("h = {:g} to {:g}, extrapolated, tau = {:g} h", 4 * climb.spacing,
                                             climb.spacing, climb.tau_over_spacing));
   compared.check("second-order",
-                 "At all heights the model is nearer to the Euler equations than the second-order series.",
-                 "largest distance over the distance of 2A + A^2/2", over_series,
+                 "The run-up error against the Euler equations at all heights is smaller than the error of the "
+                 "second-order series.",
+                 "largest difference over the difference of 2A + A^2/2", over_series,
                  Bound{.limit = 1, .reason = "nearer means less than 1"});
 }
 
@@ -153,7 +154,7 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   exhibit.measure("su_mirie", WallRunup::su_mirie(r.climb.amplitude));
   measure_comparison(exhibit, r.comparison);
   add_panel(exhibit, "wall", "Water level at the wall",
-            fmt::format("A = {:g}; time since the undisturbed crest would be at the wall.", r.climb.amplitude),
+            fmt::format("A = {:g}; time since the undisturbed crest is at the wall.", r.climb.amplitude),
             {.x = "t [sqrt(depth/g)]", .y = "elevation [depth]"})
       .line("model", r.time, r.level, Role::computed);
   draw_comparison(exhibit, r.comparison);
@@ -162,7 +163,7 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 }  // namespace
 
 void wall_run_up_1d(Case& c) {
-  c.title = "A solitary wave climbs a vertical wall: Serre's equations against Euler's";
+  c.title = "Run-up of a solitary wave on a vertical wall: Serre against Euler equations";
   c.source = literature::su_mirie + "; F. Serre, La Houille Blanche 8 (1953) 374; " + literature::frank + ", chapter 3";
   c.parameters = joined({{real("amplitude", 0.4, "depth", {0.05, 0.6}, "height of the incident wave")},
                          climb_parameters({0.05, 0.025, 0.0125})});

@@ -1,14 +1,14 @@
 /*
-A solitary wave of the full Euler equations runs against a vertical wall and climbs it: the same flow as the head-on
-collision of two equal waves. The maximum run-up follows from fully nonlinear potential flow, started from two exact
-solitary waves and followed with a spectral boundary-integral method.
+A solitary wave of the full Euler equations runs against a vertical wall: the same flow as the head-on collision of two
+equal waves. The maximum run-up follows from fully nonlinear potential flow, started from two exact solitary waves and
+computed with a spectral boundary-integral method.
 
-**What is compared.** The case computes the run-up for a sequence of amplitudes with two numbers of markers and shows it
-beside the series of Su and Mirie, $R = 2a + a^2/2 + 3a^3/4$, and of Byatt-Smith, $R = 2a + a^2/2$. It scores others:
-submit the largest elevation at the wall.
+**What is compared.** The case computes the run-up for a sequence of amplitudes with two resolutions and shows it beside
+the series of Su and Mirie, $R = 2a + a^2/2 + 3a^3/4$, and of Byatt-Smith, $R = 2a + a^2/2$. It accepts external
+results: the maximum elevation at the wall.
 
-**What to look at.** The series hold to a per cent up to $a \approx 0.45$; beyond, the water shoots up the wall as a
-thin sheet, and the exact values leave every series.
+**What to look at.** The series are accurate to 1 % up to $a \approx 0.45$; beyond, the water rises at the wall as a
+thin sheet, and the exact values depart from every series.
 */
 #include <memory>
 
@@ -70,7 +70,7 @@ std::vector<WantedTable> wanted(const Values& values) {
   return {
       {.name = "numbers",
        .quantities = {wanted_number(
-           {"runup", "m", "largest elevation of the water at the wall"}, runup, values,
+           {"runup", "m", "maximum elevation at the wall"}, runup, values,
            "The run-up agrees with fully nonlinear potential flow within the tolerance, by default 3.5 %.", source)},
        .exact = {fmt::format("seiche exact wall_runup --set amplitude={},depth={}", values.real("amplitude"),
                              values.real("depth"))}}};
@@ -80,7 +80,7 @@ std::vector<WantedTable> wanted(const Values& values) {
 
 void wall_run_up_exact(Case& c) {
   c.former_names = {"wall_runup"};
-  c.title = "A solitary wave climbs a vertical wall: fully nonlinear potential flow";
+  c.title = "Run-up of a solitary wave on a vertical wall: fully nonlinear potential flow";
   c.source = literature::su_mirie + "; M. J. Cooker, P. D. Weidman, D. S. Bale, J. Fluid Mech. 342 (1997) 141";
   c.parameters = {
       real("amplitude", 0.3, "m", {1e-6, 1e6}, "of the incident wave, 0.05 to 0.6 depth"),

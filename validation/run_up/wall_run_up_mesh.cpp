@@ -1,22 +1,21 @@
 /*
 A solitary wave runs against a vertical wall and climbs it, on Frank's two-dimensional Lagrangian mesh. The exact run-up
-of the Euler equations is known to many digits (`wall_run_up_exact`), so that the mesh can be evaluated by the truth.
+of the Euler equations is known to many digits (`wall_run_up_exact`).
 
-**Set-up.** Depth, gravity and density are 1. The exact solitary wave starts 12 depths from the wall, with its own
-velocities, in a tank of 24 depths. The last column of nodes slides up and down the wall: its top is the contact point,
-and the cells beside it give the pressure. Pressures are means over two steps; $y = 0$ is the still-water level.
+**Set-up.** Depth, gravity and density are 1. The exact solitary wave, with its velocities, starts at a distance of 12
+from the wall, in a tank 24 long. The last column of nodes slides up and down the wall: its top is the contact point,
+and the adjacent cells give the pressure. Pressures are means over two steps; $y = 0$ is the still-water level.
 
-**What is compared.** The run-up with the exact value, on the mesh that was asked for and on coarser ones, columns, rows
-and steps together. The loads have no exact values here: they come with the uncertainty that their change from mesh to
-mesh gives.
+**What is compared.** Run-up and loads with their exact values, on the requested mesh and on coarser ones, refining
+columns, rows and steps together; the change from mesh to mesh gives their uncertainty.
 
-**What to look at.** The run-up converges from below, with an order between 1.5 and 2 that rises with the resolution;
-so does the force, and the pressure at the bottom with order 2. The pressure at $y = 0$ is interpolated between two
-cells whose place at the wall changes from mesh to mesh: it comes as close, but not by a power of the mesh.
-The force of a high wave has two humps: while the water at the wall is highest it accelerates downwards, and the
-pressure is less than its depth suggests. The mesh at the maximum run-up: columns at the wall become tall and thin.
-Above $A = 0.45$ they may tangle when the water falls again; the case then tells when and where
-(`wall_run_up_mesh_limit`), unless the mesh is rezoned (`rezone`, `run_up_mesh_rezoned`).
+**What to look at.** The run-up converges from below, at an order between 1.5 and 2 that rises with the resolution; so
+does the force, and the bed pressure at order 2. The pressure at $y = 0$ is interpolated between two cells whose
+position at the wall changes from mesh to mesh: it is as accurate, but does not follow a power of the cell size. The
+force of a high wave has two maxima: at the time of the highest level the water accelerates downwards, and the pressure
+is below hydrostatic. The mesh at the maximum run-up: columns at the wall become tall and thin. Above $A = 0.45$ they
+may tangle when the water falls again; the case then reports time and position (`wall_run_up_mesh_limit`), unless the
+mesh is rezoned (`rezone`, `run_up_mesh_rezoned`).
 */
 #include <algorithm>
 #include <cmath>
@@ -141,12 +140,12 @@ void claim_holds(const MeshWallClimb& climb, const Claims<Results>& claims) {
                   fmt::format("from A = {:g} on the thin column at the wall collapses when the water falls", tangling)},
              climb.wave.amplitude() >= tangling && climb.settings.hourglass == 0 && climb.rezone == 0)
       .check(
-          "holds", "The mesh holds until the wave has left the wall.", "it does",
+          "holds", "The mesh remains untangled until the wave has left the wall.", "it does",
           [](const Results& r) -> Measurement {
             if (!r.up.tangle) return {.value = 1};
             return {.value = 0, .where = fmt::format("t = {:.2f}, x = {:.2f}", r.up.tangle->time, r.up.tangle->place)};
           },
-          Qualitative{.detector = "no corner of a cell inverts",
+          Qualitative{.detector = "no cell corner inverts",
                       .reason = "the Euler equations have a solution to the end"});
 }
 
@@ -156,8 +155,8 @@ Order second_order(const MeshWallClimb& climb) {
       .theory = 2,
       .tolerance = 2 * std::min(climb.spacing, coarsest_judged),
       .reason =
-          "areas, pressure and the surface's shape are of order 2; nodes move along the surface with errors of order "
-          "1, so that the next term is smaller by a factor h1 only: 2 h1 for the finest mesh, and no more than 0.5"};
+          "areas, pressure and surface shape are second-order; nodes move along the surface with first-order errors, "
+          "so that the next term is smaller by a factor h1 only: 2 h1 for the finest mesh, and no more than 0.5"};
 }
 
 /// Of the largest loads, where a table has exact values for the wave.
@@ -169,13 +168,14 @@ void claim_loads(const Values& values, const MeshWallClimb& climb, const Claims<
   const auto known =
       claims
           .only_if(row.has_value(),
-                   "exact loads are tabled for A = 0.05, 0.1, ... 0.6; from 0.55 on a mesh holds that is rezoned")
-          .only_if(has_coarser(values), "coarser meshes need rows that are a multiple of 8");
+                   "exact loads are tabulated for A = 0.05, 0.1, ... 0.6; from 0.55 on only a rezoned mesh lasts")
+          .only_if(has_coarser(values), "coarser meshes need a number of rows that is a multiple of 8");
   for (const Load& load : loads) {
     const double exact = row ? table.column(load.column)[*row] : 0;
     known.at(fmt::format("{}, and 4 coarser meshes", climb.resolution()))
         .check(
-            "load-" + load.id, fmt::format("The largest {} agrees with the Euler equations.", load.name),
+            "load-" + load.id,
+            fmt::format("The maximum {} agrees with the Euler equations within the mesh uncertainty.", load.name),
             fmt::format("{} [{}]", load.name, load.unit),
             [load](const Results& r) -> Measurement {
               return {.value = (r.all.*load.values).back(), .uncertainty = r.all.limit(load.values).uncertainty};
@@ -184,12 +184,12 @@ void claim_loads(const Values& values, const MeshWallClimb& climb, const Claims<
                 .expected = exact,
                 .data = 1e-10,
                 .useful = 0.05 * exact,
-                .reason = "from the change from mesh to mesh, of use up to 5 % of the load; the exact one to 1e-10"});
+                .reason = "numerical: from the change between meshes, at most 5 % of the load; exact value to 1e-10"});
     if (!load.converges) continue;
     known.check(
         "load-" + load.id + "-order",
-        fmt::format("The largest {} converges to the Euler equations with order 2.", load.name),
-        "order in the size of the cells",
+        fmt::format("The maximum {} converges to the Euler equations at second order.", load.name),
+        "order in the cell size",
         [load, exact](const Results& r) {
           return evidence::observed_order(r.all.spacing, r.all.errors(load.values, exact));
         },
@@ -201,12 +201,12 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const MeshWallClimb climb = climb_of(values);
   const double amplitude = climb.wave.amplitude();
   claim_holds(climb, claims.at(climb.resolution()));
-  const auto known = claims.only_if(has_exact(amplitude), "exact values are there for A = 0.05 to 0.6")
-                         .only_if(has_coarser(values), "coarser meshes need rows that are a multiple of 8");
+  const auto known = claims.only_if(has_exact(amplitude), "exact values exist for A = 0.05 to 0.6")
+                         .only_if(has_coarser(values), "coarser meshes need a number of rows that is a multiple of 8");
   const std::optional<double> tabled = tabled_runup(values);
   known.at(fmt::format("{}, and 4 coarser meshes", climb.resolution()))
       .check(
-          "exact", "The run-up agrees with the Euler equations.", "run-up [depth]",
+          "exact", "Maximum run-up agrees with the Euler equations within the numerical uncertainty.", "run-up [depth]",
           [](const Results& r) -> Measurement {
             if (!r.all.complete()) throw std::runtime_error("a mesh tangles before its maximum run-up");
             Measurement runup{.value = r.all.runup.back(), .uncertainty = r.all.limit(&Sequence::runup).uncertainty};
@@ -216,10 +216,10 @@ void claims(const Values& values, const Claims<Results>& claims) {
           Uncertainty{.expected = tabled ? Amount(*tabled) : Amount::told_by_run(3 * amplitude),
                       .data = 1.1e-5,
                       .useful = 0.05 * 2 * amplitude,
-                      .reason = "from the change from mesh to mesh, of use up to 5 % of 2 A; the exact value to "
-                                "1.1e-5, and where no table has it, computed: up to A = 0.6 it is less than 3 A"});
+                      .reason = "numerical: from the change between meshes, at most 5 % of 2 A; exact value to 1.1e-5, "
+                                "computed where not tabulated; run-up below 3 A up to A = 0.6"});
   known.check(
-      "order", "The run-up converges to the Euler equations with order 2.", "order in the size of the cells",
+      "order", "Maximum run-up converges to the Euler equations at second order.", "order in the cell size",
       [](const Results& r) { return evidence::observed_order(r.all.spacing, r.errors()); }, second_order(climb));
   claim_loads(values, climb, claims);
 }
@@ -304,13 +304,14 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 
 void wall_run_up_mesh(Case& c) {
   c.former_names = {"wall_run_up_2d"};
-  c.title = "A solitary wave climbs a vertical wall on the two-dimensional Lagrangian mesh";
+  c.title = "Run-up of a solitary wave on a vertical wall: two-dimensional Lagrangian mesh";
   c.source = literature::frank + ", section 2.2, figures 2 and 3; " + literature::su_mirie;
   c.parameters = mesh_parameters({0.25, 0.125, 0.125}, {8, 16, 16}, {0.025, 0.0125, 0.0125});
   c.parameters.insert(c.parameters.begin(),
                       real("amplitude", 0.3, "depth", {0.02, 0.8}, "height of the incident wave"));
-  c.parameters.push_back(real("rezone", 0, "cells", {0, 0.5},
-                              "farthest of a node from its place before the mesh is rezoned; 0: never, as Frank's"));
+  c.parameters.push_back(
+      real("rezone", 0, "cells", {0, 0.5},
+           "largest deviation of a node from its position before rezoning; 0: no rezoning, as in Frank's model"));
   c.study = Study(claims, compute, show, source);
 }
 

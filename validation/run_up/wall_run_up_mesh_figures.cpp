@@ -1,19 +1,19 @@
 /*
-Run-up and wall pressure of solitary waves against their height, as in figures 2 and 3 of Frank's thesis: every wave on
-several meshes of his two-dimensional Lagrangian model.
+Run-up and wall pressure of solitary waves as functions of their height, as in figures 2 and 3 of Frank's thesis: every
+wave on several meshes of his two-dimensional Lagrangian model.
 
 **Set-up.** As in `wall_run_up_mesh`. Each mesh has columns twice as wide as its rows are high, and steps of a tenth of
-the columns' width; the first is Frank's $h_1 = H$, $h_2 = H/2$. A wave whose mesh tangles before its maximum run-up has
-no point. High waves climb also on meshes whose columns are put upright again when they lean (`run_up_mesh_rezoned`).
+the column width; the first is Frank's $h_1 = H$, $h_2 = H/2$. A wave whose mesh tangles before its maximum run-up has
+no point. High waves also run on meshes with rezoned columns (`run_up_mesh_rezoned`).
 
-**What is compared.** Run-up and loads with exact values of the Euler equations and with the series
-$R = 2A + \tfrac12 A^2 + \tfrac34 A^3$ of Su and Mirie, from which $p(0) = R\,(1 - 3A^2)$. The thesis gives its own
-points, experiments and other computations in the figures only.
+**What is compared.** Run-up and loads with exact values of the Euler equations and with the series $R = 2A + \tfrac12
+A^2 + \tfrac34 A^3$ of Su and Mirie, from which $p(0) = R\,(1 - 3A^2)$. The thesis gives its own points, experiments and
+other computations in the figures only.
 
-**What to look at.** Two rows are within 3 % up to $A = 0.2$. Higher waves need more: at $A = 0.5$ the coarse mesh lacks
-15 %, the fine one 2 %; $A = 0.6$ needs the mesh that is rezoned. The pressure depends far less on the mesh, because the
-whole column of water makes it. The thesis does not say what its level $y = 0$ is; here it is the still-water level,
-where the pressure begins like the elevation.
+**What to look at.** The error of two rows is below 3 % up to $A = 0.2$. Higher waves need more rows: at $A = 0.5$ the
+coarse mesh is 15 % low, the fine one 2 %; $A = 0.6$ needs a rezoned mesh. The pressure depends far less on the mesh,
+because it integrates over the whole water column. The thesis does not define its level $y = 0$; here it is the
+still-water level, where the pressure begins like the elevation.
 */
 #include <algorithm>
 #include <array>
@@ -148,13 +148,13 @@ auto off_table(const io::Table& table, const std::string& of_amplitude, const st
 }
 
 void claim_exact(const Claims<std::vector<Curve>>& claims, const io::Table& exact) {
-  claims.check("exact",
-               "Up to A = 0.5 the run-up agrees with the Euler equations within the finest mesh's uncertainty.",
-               "largest difference over the uncertainty that the change from mesh to mesh gives",
-               off_table(exact, "a", "R", &Climbed::runup, 0, highest_claimed, 0),
-               Bound{.limit = 1,
-                     .reason = "the uncertainty is the 95 % half-width of the finest mesh, of which no more than " +
-                               counted_text});
+  claims.check(
+      "exact",
+      "Maximum run-up up to A = 0.5 agrees with the Euler equations within the uncertainty of the finest mesh.",
+      "largest difference over the mesh uncertainty",
+      off_table(exact, "a", "R", &Climbed::runup, 0, highest_claimed, 0),
+      Bound{.limit = 1,
+            .reason = "the uncertainty is the 95 % half-width of the finest mesh, limited to " + counted_text});
 }
 
 void claim_loads(const Claims<std::vector<Curve>>& claims, const io::Table& table) {
@@ -162,12 +162,12 @@ void claim_loads(const Claims<std::vector<Curve>>& claims, const io::Table& tabl
     claims.check(
         "exact-" + load.id,
         fmt::format(
-            "Up to A = 0.5 the largest {} agrees with the Euler equations within the finest mesh's uncertainty.",
+            "The maximum {} up to A = 0.5 agrees with the Euler equations within the uncertainty of the finest mesh.",
             load.name),
         "largest difference over the uncertainty, A = 0.1 to 0.5",
         off_table(table, "A", load.column, load.member, lowest_compared, highest_claimed, 1e-10),
         Bound{.limit = 1,
-              .reason = "the 95 % half-width from the change from mesh to mesh, of which no more than " + counted_text +
+              .reason = "the 95 % half-width from the change between meshes, limited to " + counted_text +
                         ", and column u of the exact values, at most 1e-10"});
   }
 }
@@ -178,14 +178,13 @@ void claim_rezoned(const Claims<std::vector<Curve>>& claims, const io::Table& ru
                          const std::string& of_amplitude, const std::string& column, double Climbed::*member) {
     claims.check(
         "rezoned-" + id,
-        fmt::format("From A = {:g} to 0.6 the {} on meshes that are rezoned agrees with the Euler equations within the "
-                    "finest mesh's uncertainty.",
+        fmt::format("The {1} from A = {0:g} to 0.6 on rezoned meshes agrees with the Euler equations within the "
+                    "uncertainty of the finest mesh.",
                     lowest_rezoned, name),
-        "largest difference over the uncertainty that the change from mesh to mesh gives",
+        "largest difference over the mesh uncertainty",
         off_table(table, of_amplitude, column, member, lowest_rezoned, 1, 0),
         Bound{.limit = 1,
-              .reason =
-                  "the uncertainty is the 95 % half-width of the finest mesh, of which no more than " + counted_text});
+              .reason = "the uncertainty is the 95 % half-width of the finest mesh, limited to " + counted_text});
   };
   claim("exact", "run-up", runup, "a", "R", &Climbed::runup);
   for (const Load& one : compared_loads) claim(one.id, "largest " + one.name, load, "A", one.column, one.member);
@@ -203,10 +202,10 @@ void claims(const Values& values, const Claims<Results>& all) {
 }
 
 void tabulate(const std::vector<Curve>& curves, const io::Table& exact, evidence::Exhibit& exhibit) {
-  evidence::Table& table = add_table(
-      exhibit, "runup", "Maximum run-up on a vertical wall",
-      "Nothing where the mesh tangles before; high waves also on a mesh that is rezoned. Series: 2A + A^2/2 + 3A^3/4.",
-      {"A [depth]"});
+  evidence::Table& table =
+      add_table(exhibit, "runup", "Maximum run-up on a vertical wall",
+                "Empty where the mesh tangles earlier; high waves also on a rezoned mesh. Series: 2A + A^2/2 + 3A^3/4.",
+                {"A [depth]"});
   for (const Curve& curve : curves) table.columns.emplace_back(curve.name(), "depth");
   table.columns.insert(table.columns.end(), {{"exact", "depth"}, {"series", "depth"}});
   for (std::size_t k = 0; k < exact.column("a").size(); ++k) {
@@ -230,11 +229,11 @@ void draw(const std::vector<Curve>& curves, const io::Table& exact, const io::Ta
       panel.points(curves[k].name(), curves[k].column(&Climbed::amplitude), curves[k].column(member), role);
     }
   };
-  auto& runup = exhibit.figure(
-      "runup", "Maximum run-up on a vertical wall",
-      "Solitary waves on meshes of Frank's model, high ones on a mesh that is rezoned, exact values of the Euler "
-      "equations, and the series of Su and Mirie; beside it relative to the height of the wave.",
-      {"frank-fig-2"});
+  auto& runup =
+      exhibit.figure("runup", "Maximum run-up on a vertical wall",
+                     "Solitary waves on meshes of Frank's model, high ones on a rezoned mesh, exact values of the "
+                     "Euler equations, and the series of Su and Mirie; right: relative to the wave height.",
+                     {"frank-fig-2"});
   auto& heights = runup.panel({.x = "A [depth]", .y = "R [depth]"});
   heights.points("Euler equations", exact.column("a"), exact.column("R"), Role::exact);
   curves_on(heights, &Climbed::runup);
@@ -277,11 +276,12 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
 void wall_run_up_mesh_figures(Case& c) {
   c.former_names = {"wall_run_up_2d_figures"};
-  c.title = "Run-up and pressure on a vertical wall against the height of the wave";
+  c.title = "Run-up and pressure on a vertical wall against wave height";
   c.source = literature::frank + ", section 2.2, figures 2 and 3; " + literature::su_mirie;
   c.parameters = {
       integer("rows", {8, 16, 16}, {8, 64}, "of the finest mesh; coarser ones have 2, 4, 8, ..."),
-      choice("scheme", "one_step", {"one_step", "one_step_feedback", "conservative"}, "stepping; Frank's is the first"),
+      choice("scheme", "one_step", {"one_step", "one_step_feedback", "conservative"},
+             "time stepping; the first is Frank's"),
       real("hourglass", 0, "1", {0, 2}, "kappa_0 of the hourglass potential; Frank's model has none"),
   };
   c.published = {{.tiles = {"frank-fig-2", "frank-fig-3"}, .stated = {"scheme"}}};

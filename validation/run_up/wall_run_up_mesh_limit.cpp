@@ -1,23 +1,22 @@
 /*
-The water that a high solitary wave throws up a vertical wall is a thin sheet. Particles at its surface crowd together
-there, and cells of the Lagrangian mesh that follow them become so thin that they tangle: a corner turns inside out
-while areas, energy and pressure are still in order. This case shows where the model ends and how far it can be pushed.
+A high solitary wave rises at a vertical wall as a thin sheet. Surface particles crowd together there, and the cells of
+the Lagrangian mesh become so thin that they tangle: a corner inverts while areas, energy and pressure are still
+correct. The case shows where the model ends and which variants extend it.
 
-**Set-up.** As in `wall_run_up_mesh`. Every variant of the method is given higher and higher waves until the mesh
-tangles before the maximum run-up. The variants: the conservative scheme; fewer rows; columns at the wall wider or
-narrower; a start from an impulse at the surface, which gives the mesh no vorticity; the hourglass potential, which
-resists the pattern of nodes that changes no area; a barrier that keeps corners of cells from closing; columns that are
-put upright again when they lean (`run_up_mesh_rezoned`).
+**Set-up.** As in `wall_run_up_mesh`. Every variant runs with increasing wave height until the mesh tangles before the
+maximum run-up. The variants: the conservative scheme; fewer rows; wider or narrower columns at the wall; a start from
+an impulse at the surface, which gives the mesh no vorticity; the hourglass potential, which resists the node pattern
+that changes no area; a barrier potential that keeps cell corners open; rezoned columns (`run_up_mesh_rezoned`).
 
 **What is compared.** The run-up with the exact values of the Euler equations for $A = 0.5$ and $0.6$; the largest
 height that reaches its run-up; the largest whose reflection completes.
 
 **What to look at.** Frank's own model carries waves up to $A = 0.56$ to their run-up. At $A = 0.5$ it tangles
-afterwards, when the sheet falls, whatever the scheme and the columns. At $A = 0.6$ it tangles before: only the top row
-fails, whose surface nodes slide towards the wall faster than the row beneath. The barrier lets $A = 0.5$ complete and
-leaves the run-up as it is. The hourglass potential brings $A = 0.6$ to its run-up, on 16 rows within half a per cent;
-with barrier and wide columns besides it completes, but then the run-up is too low. No force tried here carries $A =
-0.7$ on fine meshes. Rezoning carries every wave through, and its run-up is no worse than on the meshes that hold.
+afterwards, when the sheet falls, for every scheme and column width. At $A = 0.6$ it tangles earlier, in the top row
+only, whose surface nodes slide towards the wall faster than the row beneath. The barrier lets $A = 0.5$ complete and
+does not change the run-up. The hourglass potential brings $A = 0.6$ to its run-up, within 0.5 % on 16 rows; with
+barrier and wide columns it completes, but the run-up is then too low. No force tried here carries $A = 0.7$ on fine
+meshes. With rezoning every wave completes, with a run-up as accurate as on the meshes that last.
 */
 #include <algorithm>
 #include <cmath>
@@ -78,7 +77,7 @@ std::vector<Variant> variants() {
          c.wall_columns = 3;
          c.surface_impulse = true;
        }},
-      {"rezoned", "columns put upright again", [](Climb& c) { c.rezone = 0.2; }},
+      {"rezoned", "rezoned columns", [](Climb& c) { c.rezone = 0.2; }},
   };
 }
 
@@ -168,10 +167,9 @@ const Told& find(const std::vector<Told>& all, const std::string& name) {
 
 void tabulate(const std::vector<Told>& all, const io::Table& exact, evidence::Exhibit& exhibit) {
   evidence::Table& table = add_table(
-      exhibit, "fates", "How far variants of the method go",
-      "Run-up less the exact one, in per cent of it, and whether the reflection completes or when and where the mesh "
-      "tangles; then the largest height tried up to which the run-up is reached, and up to which the reflection "
-      "completes.",
+      exhibit, "fates", "Limits of variants of the method",
+      "Run-up minus exact run-up [%], and completion of the reflection or time and position of tangling; then the "
+      "largest heights tried up to which the run-up is reached and the reflection completes.",
       {"variant", "A = 0.5 [%]", "its end", "A = 0.6 [%]", "its end ", "run-up [depth]", "reflection [depth]"});
   for (const Told& told : all) {
     std::vector<Cell>& row = table.rows.emplace_back(1, told.variant.title);
@@ -225,8 +223,8 @@ void draw_meshes(const std::vector<Tangled>& drawn, evidence::Exhibit& exhibit) 
     return above;
   };
   auto& figure = exhibit.figure("tangles", "The mesh at the wall",
-                                "The upper half of the water: Frank's model before the step in which the mesh tangles, "
-                                "and with the hourglass potential, kappa_0 = 0.6, at the same time.");
+                                "Upper half of the water: Frank's model before the step of tangling, and with the "
+                                "hourglass potential, kappa_0 = 0.6, at the same time.");
   for (const Tangled& one : drawn) {
     draw_mesh(figure.panel(axes(fmt::format("A = {:g}, t = {:.2f}", one.amplitude, one.plain.time()))), "mesh",
               one.plain, window);
@@ -252,9 +250,9 @@ void claims(const Values& values, const Claims<Results>& all) {
   const Qualitative reaches{
       .detector =
           "the contact point falls again before any corner inverts and before 1 % of the energy is lost or gained",
-      .reason = "the Euler equations have a solution that does"};
-  const Qualitative goes{.detector = "no corner inverts until the crest is half way back",
-                         .reason = "the Euler equations have a solution that does"};
+      .reason = "the Euler equations have such a solution"};
+  const Qualitative goes{.detector = "no corner inverts until the crest has returned half of the way",
+                         .reason = "the Euler equations have such a solution"};
   const auto does = [&](const std::string& id, const std::string& text, const std::string& from) {
     return evidence::Claim{id, text, "it does", "1", from};
   };
@@ -264,37 +262,41 @@ void claims(const Values& values, const Claims<Results>& all) {
     constexpr long coarsest_known = 8;
     claims.fails({.value = 0, .width = 0, .reason = reason}, rows >= coarsest_known).check(claim, measured, criterion);
   };
-  claims.check(does("frank-run-up", "Frank's model carries A = 0.5 to its maximum run-up.", source),
+  claims.check(does("frank-run-up", "The run of Frank's model at A = 0.5 reaches its maximum run-up.", source),
                fate_of("frank", 0.5, &Fate::reached), reaches);
-  not_expected(does("frank-reflection", "Frank's model carries A = 0.5 through the reflection.", source),
+  not_expected(does("frank-reflection", "The run of Frank's model at A = 0.5 completes the reflection.", source),
                fate_of("frank", 0.5, &Fate::through), goes,
-               "the sheet at the wall falls freely and crumples; nothing resists node motions that change no area");
-  not_expected(does("frank-high", "Frank's model carries A = 0.6 to its maximum run-up.", source),
+               "the sheet at the wall falls freely and tangles; no force resists node motions that change no area");
+  not_expected(does("frank-high", "The run of Frank's model at A = 0.6 reaches its maximum run-up.", source),
                fate_of("frank", 0.6, &Fate::reached), reaches,
                "a surface node feels the pressure half a cell below it; in the thin sheet that lets the node next to "
                "the wall cross the wall's line");
   const std::string own = "not in the thesis";
-  claims.check(does("barrier", "With the corner barrier, the run at H/h = 0.5 completes without mesh tangling.", own),
+  claims.check(does("barrier", "The run with the corner barrier at H/h = 0.5 completes without mesh tangling.", own),
                fate_of("barrier", 0.5, &Fate::through), goes);
-  claims.check(does("hourglass", "With the hourglass potential, kappa_0 = 1, A = 0.6 reaches its maximum run-up.", own),
+  claims.check(does("hourglass",
+                    "The run with the hourglass potential, kappa_0 = 1, at H/h = 0.6 reaches its maximum run-up.", own),
                fate_of("hourglass_1", 0.6, &Fate::reached), reaches);
   claims.check(
-      does("all", "With barrier, hourglass potential and wide columns at the wall, the run at H/h = 0.6 completes.",
+      does("all", "The run with barrier, hourglass potential and wide columns at the wall at H/h = 0.6 completes.",
            own),
       fate_of("all", 0.6, &Fate::through), goes);
-  claims.check(does("rezoned", "With rezoned columns, the run at H/h = 0.6 completes.", own),
+  claims.check(does("rezoned", "The run with rezoned columns at H/h = 0.6 completes.", own),
                fate_of("rezoned", 0.6, &Fate::through), goes);
-  claims.check(does("rezoned-run-up", "The wave on rezoned columns reaches its maximum run-up.", own),
+  claims.check(does("rezoned-run-up", "The run with rezoned columns at H/h = 0.6 reaches its maximum run-up.", own),
                fate_of("rezoned", 0.6, &Fate::reached), reaches);
   claims.from(own).check(
-      "barrier-neutral", "The barrier does not change the run-up of A = 0.5.", "difference of run-ups [depth]",
+      "barrier-neutral", "The run-up at A = 0.5 is the same with and without the corner barrier.",
+      "difference of run-ups [depth]",
       [](const Results& r) {
         return std::abs(find(r.all, "barrier").at(0.5)->runup - find(r.all, "frank").at(0.5)->runup);
       },
-      Bound{.limit = 0, .reason = "no corner is below the shape at which it acts until the water falls"});
+      Bound{.limit = 0, .reason = "no corner falls below the activation shape of the barrier until the water falls"});
   claims.check(
-      "stated", "A run without the barrier that stops reports time and position, before its mesh leaves the tank.",
-      "share that do",
+      "stated",
+      "The failure message of a stopped run without the barrier gives time and position, before the mesh leaves the "
+      "tank.",
+      "fraction of the stopped runs",
       [](const Results& r) {
         Count inside;
         for (const Told& one : r.all) {
@@ -305,7 +307,7 @@ void claims(const Values& values, const Claims<Results>& all) {
         }
         return inside.value() / static_cast<double>(inside.samples());
       },
-      Qualitative{.detector = "the failure's place is in the tank", .reason = "a failure must not pass as a result"});
+      Qualitative{.detector = "the failure position is in the tank", .reason = "a failure must not pass as a result"});
 }
 
 Results compute(const Run& run) {
@@ -337,7 +339,7 @@ void wall_run_up_mesh_limit(Case& c) {
   c.tiers = {Tier::full};
   c.parameters = {
       integer("rows", {8, 16, 16}, {4, 32}, "of the mesh; columns are twice as wide as rows are high"),
-      integer("heights", {2, 5, 5}, {1, 10}, "of waves tried in each tenth of a depth from 0.5 on"),
+      integer("heights", {2, 5, 5}, {1, 10}, "wave heights tried per 0.1 depths from 0.5 on"),
       real("highest", 0.7, "depth", {0.6, 0.8}, "of the heights tried"),
   };
   c.study = Study(claims, compute, show, source);

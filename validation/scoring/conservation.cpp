@@ -33,26 +33,24 @@ bool one_of(const std::string& name, std::initializer_list<const char*> names) {
 std::variant<Allowed, std::string> allowed(const std::string& phenomenon, const std::string& quantity) {
   if (quantity == "volume") {
     if (phenomenon == "steady_flow" || phenomenon == "hydraulic_jump") return "water enters and leaves";
-    return Allowed{0.001, false, "The water is all there, at every time.",
-                   "a thousandth of the water is a thousandth of the depth: a millimetre in a metre, what a gauge can "
-                   "still tell"};
+    return Allowed{0.001, false, "The water volume is conserved within 0.1 % at every time.",
+                   "0.1 % of the volume is 0.1 % of the depth: 1 mm in 1 m, the resolution of a gauge"};
   }
-  if (one_of(phenomenon, {"wavemaker", "moving_pressure"})) return "what drives the water does work on it";
+  if (one_of(phenomenon, {"wavemaker", "moving_pressure"})) return "external forcing does work on the water";
   if (phenomenon == "steady_flow" || phenomenon == "hydraulic_jump") return "water enters and leaves";
   const bool free = one_of(phenomenon, {"standing_wave", "periodic_wave", "solitary_wave", "basin", "drop"});
   if (quantity == "energy") {
     if (free) {
-      return Allowed{
-          0.1, false, "The motion keeps its energy.",
-          "heights go as the root of the energy: the 5 % of a height that tsunami benchmarks allow are 10 %"};
+      return Allowed{0.1, false, "The energy is conserved within 10 %, equivalent to 5 % of a height.",
+                     "height is proportional to the square root of energy: the 5 % of height that tsunami benchmarks "
+                     "allow are 10 % of energy"};
     }
-    return Allowed{0.01, true, "The water gains no energy.",
-                   "water that breaks, jumps or rubs can only lose; counted by a hundred cells to a length, a "
-                   "hundredth is a cell"};
+    return Allowed{0.01, true, "The energy does not grow by more than 1 %.",
+                   "breaking, jumps and friction only dissipate; at a hundred cells per length, 1 % is one cell"};
   }
-  if (!one_of(phenomenon, {"periodic_wave", "drop"})) return "walls and slopes push the water";
-  return Allowed{0.1, false, "The water keeps its momentum.",
-                 "a wave's momentum is its energy over the celerity: 5 % of a height are 10 %"};
+  if (!one_of(phenomenon, {"periodic_wave", "drop"})) return "walls and slopes exert forces on the water";
+  return Allowed{0.1, false, "The momentum is conserved within 10 %, equivalent to 5 % of a height.",
+                 "wave momentum is energy over celerity: 5 % of height are 10 %"};
 }
 
 bool asked_for(const std::vector<WantedTable>& wanted, const std::string& name) {

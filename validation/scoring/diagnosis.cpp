@@ -160,11 +160,10 @@ std::vector<Finding> diagnosis(const std::vector<WantedTable>& wanted, const Sub
 
 void show_diagnosis(const std::vector<Finding>& findings, evidence::Exhibit& exhibit) {
   if (findings.empty()) return;
-  evidence::Table& table =
-      add_table(exhibit, "diagnosis", "What the difference looks like",
-                "A single change of what was submitted that would explain by how much it misses the "
-                "reference. Nothing was changed: the verdicts are of the values as they stand.",
-                {"where [1]", "what was submitted [1]", "left of the misfit [1]"});
+  evidence::Table& table = add_table(exhibit, "diagnosis", "What the difference looks like",
+                                     "A single change of the submitted values that would explain the difference from "
+                                     "the reference. The submitted values are unchanged, and so are the verdicts.",
+                                     {"where [1]", "submitted [1]", "left of the misfit [1]"});
   for (const Finding& one : findings) table.rows.push_back({one.where, one.words, one.left});
 }
 

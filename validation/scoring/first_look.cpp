@@ -124,7 +124,7 @@ bool all_right(const evidence::Record& record, const std::vector<Finding>& findi
 std::string whose_line(const JudgedClaim& claim, bool all, bool exact, const std::optional<Ladder>& ladder) {
   const evidence::Judgement& j = claim.judgement;
   if (j.verdict == Verdict::error)
-    return fmt::format("your result: it does not hold what is measured ({})", j.resolution);
+    return fmt::format("your result: the measured quantity is missing ({})", j.resolution);
   if (is_comparison(claim)) {
     if (j.verdict == Verdict::fail && !j.uncertainty) return "your solver's: " + j.note;
     if (j.verdict == Verdict::fail) {
@@ -137,7 +137,7 @@ std::string whose_line(const JudgedClaim& claim, bool all, bool exact, const std
     return fmt::format("none: within the uncertainties of the data and of your result, {:.3g} together", j.limit);
   }
   if (j.verdict == Verdict::pass)
-    return all ? "none, all errors are within their limits" : "none within the limits of what was scored";
+    return all ? "none, all errors are within their limits" : "none within the limits of the scored claims";
   if (j.verdict == Verdict::inconclusive) return "undecided: " + j.note;
   if (!exact) return "your solver's or the data's: this limit does not include an uncertainty of the data";
   if (!ladder) return "your solver's or its set-up's, as the reference is exact: three cell sizes (--sizes) show which";

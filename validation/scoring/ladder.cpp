@@ -181,7 +181,7 @@ std::string Ladder::line(const LadderQuantity& q) const {
       fmt::format("; {:g} %{} needs dx = {:.2g}", 100 * ladder_target, q.exact ? "" : " numerically", reached->size);
   if (reached->seconds) text += fmt::format(" and {:.2g} s", *reached->seconds);
   if (reached->least == 0 || std::isinf(reached->most))
-    text += fmt::format(", but {} sizes hardly tell the order", size.size());
+    text += fmt::format(", but {} sizes leave the order uncertain", size.size());
   return text;
 }
 

@@ -155,7 +155,7 @@ class QuantityScore {
       record.check({table_.name + "-coverage",
                     fmt::format("The submitted points cover {:.3g} % of the reference points of the {} or more.",
                                 100 * table_.least_coverage, table_.name),
-                    "share of the reference points within the submitted ones", "1", "what the case asks for"},
+                    "share of the reference points within the submitted ones", "1", "required by the case"},
                    {.value = coverage_, .resolution = resolution() + uncovered_},
                    evidence::Bound{.limit = 1 - table_.least_coverage,
                                    .reason = "N cell centres leave half a cell out at either end, 1/N of the points",
@@ -329,9 +329,8 @@ evidence::Table blank_table(const WantedTable& wanted) {
     return table;
   }
   table.caption =
-      "The submitted values, joined by straight lines, at the reference points; nothing is extrapolated. Shift and "
-      "peak "
-      "in the units asked for.";
+      "Submitted values, interpolated linearly to the reference points, without extrapolation. Shift and peak in the "
+      "units of the template.";
   for (const char* name : {"points", "coverage", "relative L1", "relative L2", "relative Linf", "skill",
                            "amplitude ratio", "shift", "error of the peak"}) {
     table.columns.emplace_back(name, "1");
@@ -346,7 +345,7 @@ void claim_absent(const WantedTable& table, evidence::Record& record) {
   record.check({table.name + "-coverage",
                 fmt::format("The submission contains the table {}, {:.3g} % of its reference points or more.",
                             table.name, 100 * table.least_coverage),
-                "share of the reference points within the submitted ones", "1", "what the case asks for"},
+                "share of the reference points within the submitted ones", "1", "required by the case"},
                {.value = 0, .resolution = fmt::format("no file has a column {}", fmt::join(columns, " or "))},
                evidence::Bound{.limit = 1 - table.least_coverage,
                                .reason = "a part of the result is scored alone only with --table",
@@ -359,7 +358,7 @@ void claim_absent(const WantedTable& table, evidence::Record& record) {
 void claim_given(const WantedTable& table, const std::string& id, const std::string& all, std::size_t asked,
                  std::size_t absent, const std::string& missing, evidence::Record& record) {
   record.check({table.name + id, fmt::format("All {} {} in the table {} are submitted.", asked, all, table.name),
-                "share that was submitted", "1", "what the case asks for"},
+                "share that was submitted", "1", "required by the case"},
                {.value = static_cast<double>(asked - absent) / static_cast<double>(asked),
                 .resolution = fmt::format("{} of {} given, without {}", asked - absent, asked, missing)},
                evidence::Bound{.limit = 0, .reason = "a part does not stand for the whole", .expected = 1});

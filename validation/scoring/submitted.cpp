@@ -114,7 +114,7 @@ class Reader {
     if (!group) {
       throw std::invalid_argument(fmt::format("--gauges {}={}: must be one of {}{}", name, text,
                                               fmt::join(*wanted_.groups, ", "),
-                                              wanted_.places->empty() ? "" : ", or the place x:y of one"));
+                                              wanted_.places->empty() ? "" : ", or the position x:y of one"));
     }
     return *group;
   }

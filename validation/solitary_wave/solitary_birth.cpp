@@ -1,12 +1,12 @@
 /*
-Water is raised at the end of a long tank and let go. The hump becomes a solitary wave that runs away from the small
-waves behind it. Frank (1994, chapter 2) made solitary waves so, and gives their height $A$ and speed $C$ and a picture
+A hump of water at the end of a long tank is released and becomes a solitary wave that outruns the small waves behind
+it. Frank (1994, chapter 2) generated solitary waves in this way, and gives their height $A$ and speed $C$ and a figure
 of the profile.
 
-**Set-up.** Depth and gravity are 1; the tank is 170 long. The surface is $a_0\,\mathrm{sech}^2(x/w)$, the wall $x = 0$
-is its line of symmetry, the water is at rest. The crest is followed until $t = 130$. From $t = 65$ on, $A$ is its mean
-height and $C$ the slope of a straight line through its places. Shorter tanks give $C$ too large by some tenths of a per
-cent: the small waves have not separated. Four starts give four heights.
+**Set-up.** Depth and gravity are 1; the tank is 170 long. The initial surface is $a_0\,\mathrm{sech}^2(x/w)$, symmetric
+about the wall $x = 0$, with the water at rest. The crest is followed until $t = 130$. From $t = 65$ on, $A$ is its mean
+height and $C$ the slope of a straight line through its positions. In shorter tanks $C$ is too large by some tenths of a
+per cent, because the small waves have not separated. Four starts give four heights.
 
 **What is compared.** Speeds with the source's table, with $\sqrt{1 + A}$, and with the exact waves of the Euler
 equations. Profiles with the second approximation of shallow-water theory (Laitone 1960),
@@ -14,19 +14,18 @@ equations. Profiles with the second approximation of shallow-water theory (Laito
 $$\eta = A S - \tfrac34 A^2 S (1 - S), \quad S = \mathrm{sech}^2\left(\sqrt{\tfrac{3A}{4}}\,(1 - \tfrac58
 A)\,x\right),$$
 
-and with the exact wave of the same height. The second approximation itself is off the exact wave by 0.01 at $A = 0.3$
-and by 0.05 at $A = 0.5$: the exact wave is the reference.
+and with the exact wave of the same height. The error of the second approximation is 0.01 at $A = 0.3$ and 0.05 at $A =
+0.5$: the exact wave is the reference.
 
 **What to look at.** On cells one depth wide and half a depth high, which the source recommends for long waves, heights
-and speeds agree with its table, a little below $\sqrt{1 + A}$. The profile is near the second approximation, as the
-source shows it. This is good fortune: the errors of mesh and series are alike. On finer meshes speed and profile leave
-the series and approach the exact wave.
+and speeds agree with its table, slightly below $\sqrt{1 + A}$. The profile is near the second approximation, as in the
+source's figure, because the errors of mesh and series are alike. On finer meshes speed and profile depart from the
+series and converge to the exact wave.
 
-The lowest wave of the source's table is the farthest from ours, slower by 0.004, and slower than the exact wave by
-0.003: we do not know why.
+The lowest wave of the source's table differs most, being slower by 0.004 than computed here and by 0.003 than the exact
+wave; the cause is unknown.
 
-The highest wave leaves the first column of the coarsest mesh sheared, which tangles at last, when the wave has long
-left.
+The highest wave leaves the first column of the coarsest mesh sheared; it tangles long after the wave has left.
 */
 #include <algorithm>
 #include <array>
@@ -216,7 +215,8 @@ Results compute(const Run& run) {
 void claim_source_table(const Claims<Family>& claims, const io::Table& published) {
   claims.check(
       "source-table",
-      "Speeds agree with the source's table at equal height within 0.005 sqrt(g h), its printed digits and its mesh.",
+      "The wave speeds agree with the table of Frank (1994) at equal height within 0.005 sqrt(g h), its printed digits "
+      "and mesh error.",
       "largest difference [sqrt(g depth)]",
       [published](const Family& coarse) {
         return over<Worst>(indices(published.rows()), [&](std::size_t k) {
@@ -224,8 +224,8 @@ void claim_source_table(const Claims<Family>& claims, const io::Table& published
         });
       },
       Bound{.limit = 0.005,
-            .reason = "half a unit of the last digit of A moves C by 0.002, half a unit of C is 0.0005; the source "
-                      "does not say on which mesh: one twice as fine changes C by up to 0.003 at the same height"});
+            .reason = "half a unit of the last digit of A changes C by 0.002, half a unit of C is 0.0005; the source "
+                      "does not state its mesh: one twice as fine changes C by up to 0.003 at the same height"});
 }
 
 /// Of the distances of speeds from the Euler equations' on a mesh and on the one before, the largest ratio.
@@ -254,21 +254,21 @@ void claim_approach(const Claims<Results>& claims, const std::vector<Family>& al
       claims.at(all[m].label)
           .check(
               fmt::format("euler-{}-{}", id, all[m].mesh.rows),
-              fmt::format("With {} rows, {} nearer to the Euler equations than with half as many.", all[m].mesh.rows,
-                          what),
+              fmt::format("The {} with {} rows are nearer to the Euler equations than with half as many rows.", what,
+                          all[m].mesh.rows),
               "largest ratio of the distances", [approach, m](const Results& r) { return approach(r, m); },
               Bound{.limit = 1, .reason = "nearer means less than 1"});
     };
-    claim("speed", "speeds at the same height are", speeds_approach);
-    claim("profile", "profiles are", profiles_approach);
+    claim("speed", "speeds at equal height", speeds_approach);
+    claim("profile", "profiles", profiles_approach);
   }
 }
 
 void claim_second_approximation(const Claims<Family>& claims) {
   claims.check(
       "second-approximation",
-      "On cells one depth wide profiles are nearer to the second approximation than to the exact wave, as the source "
-      "shows them.",
+      "The profiles on cells one depth wide are nearer to the second approximation than to the exact wave, as in the "
+      "figure of Frank (1994).",
       "largest ratio of the distances",
       [](const Family& coarse) {
         return over<Largest>(coarse.waves, [](const Born& wave) { return wave.from_laitone / wave.from_exact; })
@@ -284,29 +284,28 @@ void claim_one_curve(const Claims<Results>& claims) {
       .at([](const Results& r) {
         return r.coarsest().label + fmt::format(", A = {:.4f} at last", r.from_exact.amplitude);
       })
-      .from("a mesh has one solitary wave of each height")
+      .from("a mesh has a single solitary wave of each height")
       .check(
-          "one-curve",
-          "The exact wave of the Euler equations, started with A = 0.3, ends on the same curve of height and speed.",
+          "one-curve", "The final height and speed of the exact Euler wave started with A = 0.3 lie on the same curve.",
           "difference of C [sqrt(g depth)]",
           [](const Results& r) { return std::abs(r.from_exact.speed - r.coarsest().speed_at(r.from_exact.amplitude)); },
           Bound{.limit = 7e-4,
-                .reason = "the curve is linear between heights 0.1 apart: 3e-4 at most; heights still change by 1e-3 "
-                          "while they are averaged: 4e-4"});
+                .reason = "linear interpolation between heights 0.1 apart: 3e-4 at most; change of the heights by 1e-3 "
+                          "during averaging: 4e-4"});
 }
 
 void claim_tangle(const Claims<Family>& claims) {
   claims
       .fails({.value = 117.1,
               .width = 0.5,
-              .reason = "the first column, which the wave has left, is sheared on and on: no force stops it; the shear "
-                        "grows slowly, so that it tangles a few steps earlier or later"})
+              .reason = "the shear of the first column grows after the wave has left: no force stops it; it grows "
+                        "slowly, so that tangling occurs a few steps earlier or later"})
       .check(
-          "tangle", "The highest hump leaves no corner inverted on cells one depth wide.",
+          "tangle",
+          "The run with the highest hump on cells one depth wide reaches its end time without an inverted corner.",
           "end of the run [sqrt(depth/g)]", [](const Family& coarse) { return coarse.waves.back().track.time.back(); },
-          Bound{.limit = 1e-9,
-                .reason = "the time that was asked for, to the rounding of its steps",
-                .expected = birth_duration});
+          Bound{
+              .limit = 1e-9, .reason = "the requested time, to the rounding of its steps", .expected = birth_duration});
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
@@ -320,11 +319,11 @@ void claims(const Values& values, const Claims<Results>& claims) {
 }
 
 void tabulate_waves(evidence::Exhibit& exhibit, const std::vector<Family>& all, const EulerSpeed& euler) {
-  evidence::Table& table = add_table(
-      exhibit, "waves", "The waves that were born", "Profiles: largest distance within six depths of the crest.",
-      {"h1 [depth]", "rows [1]", "a0 [depth]", "w [depth]", "A [depth]", "C [sqrt(g depth)]",
-       "sqrt(1 + A) [sqrt(g depth)]", "C, Euler [sqrt(g depth)]", "profile from Euler [depth]",
-       "profile from Laitone [depth]", "followed until [sqrt(depth/g)]"});
+  evidence::Table& table =
+      add_table(exhibit, "waves", "Generated waves", "Profiles: largest difference within 6 h of the crest.",
+                {"h1 [depth]", "rows [1]", "a0 [depth]", "w [depth]", "A [depth]", "C [sqrt(g depth)]",
+                 "sqrt(1 + A) [sqrt(g depth)]", "C, Euler [sqrt(g depth)]", "profile from Euler [depth]",
+                 "profile from Laitone [depth]", "followed until [sqrt(depth/g)]"});
   for (const Family& family : all) {
     for (std::size_t k = 0; k < starts.size(); ++k) {
       const Born& wave = family.waves[k];
@@ -338,13 +337,12 @@ void tabulate_waves(evidence::Exhibit& exhibit, const std::vector<Family>& all, 
 void tabulate_celerity(evidence::Exhibit& exhibit, const Family& coarse, const io::Table& published,
                        const EulerSpeed& euler) {
   const std::vector<double>& amplitude = published.column("A");
-  evidence::Table& table = add_table(
-      exhibit, "celerity", "Height and speed of solitary waves",
-      "The source's table beside this program's waves on cells one depth wide and half a depth high, linear between "
-      "their heights.",
-      {"A [depth]", "C, Frank (1994) [sqrt(g depth)]", "C, this program [sqrt(g depth)]", "sqrt(1 + A) [sqrt(g depth)]",
-       "C, Euler [sqrt(g depth)]"},
-      {"frank-table-celerity"});
+  evidence::Table& table = add_table(exhibit, "celerity", "Height and speed of solitary waves",
+                                     "The source's table beside waves computed here on cells one depth wide and half a "
+                                     "depth high, interpolated linearly between heights.",
+                                     {"A [depth]", "C, Frank (1994) [sqrt(g depth)]", "C, computed [sqrt(g depth)]",
+                                      "sqrt(1 + A) [sqrt(g depth)]", "C, Euler [sqrt(g depth)]"},
+                                     {"frank-table-celerity"});
   for (std::size_t k = 0; k < amplitude.size(); ++k) {
     table.rows.push_back({amplitude[k], published.column("C")[k], coarse.speed_at(amplitude[k]),
                           std::sqrt(1 + amplitude[k]), euler(amplitude[k])});
@@ -353,10 +351,9 @@ void tabulate_celerity(evidence::Exhibit& exhibit, const Family& coarse, const i
 
 void draw_celerity(evidence::Exhibit& exhibit, const std::vector<Family>& all, const io::Table& published,
                    const EulerSpeed& euler) {
-  auto& figure =
-      exhibit.figure("celerity", "Speed against height of solitary waves",
-                     "Frank's table, this program's waves, the Euler equations; then the excess over the latter.",
-                     {"frank-table-celerity"});
+  auto& figure = exhibit.figure("celerity", "Speed against height of solitary waves",
+                                "Frank's table, computed waves, the Euler equations; then the excess over the latter.",
+                                {"frank-table-celerity"});
   auto& speeds = figure.panel({.x = "A [depth]", .y = "C [sqrt(g depth)]"});
   auto& excess = figure.panel({.x = "A [depth]", .y = "C - C_Euler [sqrt(g depth)]"});
   const std::vector<double> fine = evenly(0.1, 0.6, 51);
@@ -381,8 +378,8 @@ void draw_celerity(evidence::Exhibit& exhibit, const std::vector<Family>& all, c
 
 /// The wave of the parameters: its birth, and its profile at the end.
 void draw_own(evidence::Exhibit& exhibit, const Results& r, const std::string& resolution) {
-  auto& surface = add_panel(exhibit, "birth", "A hump becomes a solitary wave", "Surface nodes, " + resolution + ".",
-                            {.x = "x [depth]", .y = "elevation [depth]"});
+  auto& surface = add_panel(exhibit, "birth", "Evolution of a hump into a solitary wave",
+                            "Surface nodes, " + resolution + ".", {.x = "x [depth]", .y = "elevation [depth]"});
   for (const Surface& s : r.birth) surface.line(fmt::format("t = {:.0f}", s.time), s.x, s.y, Role::computed);
 
   const double crest = r.own.track.place.back();
@@ -391,7 +388,7 @@ void draw_own(evidence::Exhibit& exhibit, const Results& r, const std::string& r
   const MeshWindow window{crest - birth_reach - 2, crest + birth_reach + 2};
   const std::vector<double> x = evenly(window.begin, window.end, 241);
   auto& figure = exhibit.figure(
-      "profile", "The wave that was born",
+      "profile", "Generated wave",
       fmt::format("Mesh and surface at t = {:g}, {}; exact wave and second approximation of the same height.",
                   birth_duration, resolution),
       {"frank-fig-1"});
@@ -426,13 +423,13 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 }  // namespace
 
 void solitary_birth(Case& c) {
-  c.title = "A local elevation gives birth to a solitary wave";
+  c.title = "Solitary wave from a local elevation";
   c.source = literature::frank + ", chapter 2, figure 1 and table; E. V. Laitone, J. Fluid Mech. 9 (1960) 430";
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = {
       real("elevation", 0.56, "depth", {0.05, 1.2}, "of the water at the wall"),
       real("width", 3.0, "depth", {0.5, 10}, "w of the elevation a0 sech^2(x/w)"),
-      real("h1", 1.0, "depth", {0.05, 2}, "width of the columns; changed to fill the tank"),
+      real("h1", 1.0, "depth", {0.05, 2}, "column width; adjusted to fill the tank"),
       integer("rows", 2, {1, 100}, "of cells over the depth"),
       real("tau", 0.1, "sqrt(depth/g)", {1e-3, 0.5}, "step"),
       real("hourglass", 0.0, "1", {0, 10}, "kappa_0 of the force against node motions (-1)^(i+j)"),

@@ -1,28 +1,29 @@
 /*
-The exact solitary wave of the Euler equations travels through a tank of water that is cut into quadrilaterals of
-constant area (Frank 1994, chapter 2). Depth, gravity and density are 1.
+The exact solitary wave of the Euler equations travels through a tank divided into quadrilaterals of constant area
+(Frank 1994, chapter 2). Depth, gravity and density are 1.
 
 **Set-up.** The tank is 60 long, between vertical walls. The crest starts at $x = 15$ and runs for 20 time units. The
-mesh has `rows` rows of height $h_2$; its columns hold equal areas, about `h1` wide. The surface is the exact one.
+mesh has `rows` rows of height $h_2$; its columns have equal areas and a width of about `h1`. The surface is the exact
+one.
 
-**What is compared.** Speed and height of the crest, and the surface about it. The crest is the top of the quartic
-through the highest node and its neighbours. The profile error is taken about the computed crest, so that it measures
-shape and height only.
+**What is compared.** Speed and height of the crest, and the surface around it. The crest is the maximum of the quartic
+through the highest node and its neighbours. The profile error is taken relative to the computed crest, so that it
+measures shape and height only.
 
-The exact wave is not quite the wave of the mesh. In the first five time units the crest falls back by two thirds of
-what it loses in twenty, and leaves small waves behind. The **speed** is therefore the slope of a straight line through
-the crest's places from $t = 5$ on. The **phase error** counts from the start.
+The exact wave is not exactly the wave of the mesh. In the first five time units the crest loses two thirds of its total
+lag at $t = 20$, and leaves small waves behind. The **speed** is therefore the slope of a straight line through the
+crest positions from $t = 5$ on. The **phase error** counts from the start.
 
-**What to look at.** All errors are of second order, and the height of the cells governs them: twice as many rows help
-much more than twice as many columns. Sharper waves show it on finer meshes only: for $A = 0.5$ the orders observed here
-are 1.5 to 1.8. On coarse meshes the wave is too slow and loses height.
+**What to look at.** All errors converge at second order, and the cell height governs them: doubling the number of rows
+helps much more than doubling the number of columns. For sharper waves this holds on finer meshes only: for $A = 0.5$
+the orders observed here are 1.5 to 1.8. On coarse meshes the wave is too slow and loses height.
 
-**How to start.** `sampled`: the exact velocities at the nodes, made to change no area. In a potential flow of the mesh
-surface nodes are slower along the surface, to first order in the cells. Given the exact velocity, they slide over the
-row beneath where the wave started, and nothing ever stops them. A high wave on coarse cells tangles the mesh there in
-the end, when it has long gone. `impulse`: the velocities that an impulsive pressure $-\varphi$ on the surface, the
-potential of the exact wave, gives the mesh at rest. They are a potential flow of the mesh, and the mesh does not
-tangle. A small restoring force (`hourglass`) prevents it too.
+**How to start.** `sampled`: the exact velocities at the nodes, projected to constant areas. In a potential flow of the
+mesh surface nodes are slower along the surface, to first order in the cell size. With the exact velocity they slide
+over the row beneath where the wave started, and no force stops them. A high wave on coarse cells tangles the mesh there
+long after it has left. `impulse`: the velocities that an impulsive surface pressure $-\varphi$, the potential of the
+exact wave, gives the mesh at rest. They are a potential flow of the mesh, and the mesh does not tangle. A small
+restoring force (`hourglass`) prevents tangling too.
 */
 #include <array>
 #include <cmath>
@@ -139,7 +140,7 @@ const MeshResolution coarsest{1, 2, 0.1};
 void claim_tangle(const Claims<Results>& all) {
   const auto claims = all.at(coarsest.text());
   const Bound to_the_end{
-      .limit = 1e-9, .reason = "the time that was asked for, to the rounding of its steps", .expected = duration};
+      .limit = 1e-9, .reason = "the requested time, to the rounding of its steps", .expected = duration};
   const std::string quantity = "end of the run [sqrt(depth/g)]";
   const auto end = [](Outcome Results::*outcome) {
     return [outcome](const Results& r) { return (r.*outcome).track.time.back(); };
@@ -148,9 +149,10 @@ void claim_tangle(const Claims<Results>& all) {
       .fails({.value = 19.2,
               .width = 0.2,
               .reason = "surface nodes with the exact velocity slide over the row beneath: no force stops them; the "
-                        "time of tangling is known to two steps"})
+                        "time of tangling is reproducible to two steps"})
       .check("tangle",
-             "A = 0.5 on cells one depth wide: no corner tangles behind a wave that starts with sampled velocities.",
+             "The mesh does not tangle behind a wave of A = 0.5 on cells one depth wide that starts with sampled "
+             "velocities.",
              quantity, end(&Results::sampled), to_the_end);
   claims.check("tangle-impulse",
                "The mesh does not tangle behind a solitary wave of H/h = 0.5 that a surface impulse starts.", quantity,
@@ -187,10 +189,10 @@ void claims(const Values& /*values*/, const Claims<Results>& claims) {
   claims.at("from h1 = 0.5, 4 rows")
       .check(
           "rows-govern",
-          "The profile error with cells of half the height is below 1 times the error with cells of half the width.",
+          "The profile error with cells of half the height is smaller than with cells of half the width.",
           "profile error with half the height over that with half the width",
           [](const Results& r) { return profile_of_side(r, 2) / profile_of_side(r, 1); },
-          Bound{.limit = 1, .reason = "more than means a ratio below 1"});
+          Bound{.limit = 1, .reason = "smaller means a ratio below 1"});
   for (const Refined& error : refined) {
     claims.check(
         fmt::format("order-{}", error.id), fmt::format("The error of the {} converges at second order.", error.what),
@@ -199,8 +201,8 @@ void claims(const Values& /*values*/, const Claims<Results>& claims) {
           return evidence::observed_order(heights_of_cells(r.refinement), each(r.refinement, of));
         },
         Order{2, 0.3,
-              "the next term is of third order, not fourth: surface nodes feel the pressure half a cell below; with "
-              "four rows it takes a fifth off the error, so 0.2 off the order"});
+              "the next term is third-order, not fourth: surface nodes feel the pressure half a cell below; with four "
+              "rows it reduces the error by 20 %, hence the order by 0.2"});
   }
   claim_tangle(claims);
 }
@@ -235,12 +237,12 @@ Results compute(const Run& run) {
 
 void draw_refinement(evidence::Exhibit& exhibit, const Results& r) {
   auto& errors = add_panel(exhibit, "errors", "Errors against the height of the cells",
-                           "At the end of the run; cells twice as wide as high, five steps to a column.",
+                           "At the end of the run; cells twice as wide as high, five steps per column.",
                            {.x = "h2 [depth]", .y = "error", .log_x = true, .log_y = true});
-  auto& history = exhibit.figure(
-      "history", "The crest on its way",
-      "The wave of the mesh is not quite the exact one: the crest falls back while the difference is left behind.");
-  auto& lag = history.panel({.x = "t [sqrt(depth/g)]", .y = "crest less exact crest [depth]"});
+  auto& history =
+      exhibit.figure("history", "Crest position",
+                     "The exact wave is not exactly a wave of the mesh: the crest lags while it sheds the difference.");
+  auto& lag = history.panel({.x = "t [sqrt(depth/g)]", .y = "crest minus exact crest [depth]"});
   auto& height = history.panel({.x = "t [sqrt(depth/g)]", .y = "crest/A"});
   Travels intact;
   for (const Travel& travel : r.refinement) {
@@ -269,7 +271,7 @@ void draw_wave(evidence::Exhibit& exhibit, const Results& r, const MeshResolutio
       figure.panel({.x = "x [depth]", .y = "elevation [depth]", .x_min = window.begin, .x_max = window.end});
   profile.line("exact", x, each(x, [&](double at) { return r.wave.elevation(at - place); }), Role::exact);
   auto& error =
-      figure.panel({.x = "x [depth]", .y = "computed less exact [depth]", .x_min = window.begin, .x_max = window.end});
+      figure.panel({.x = "x [depth]", .y = "computed minus exact [depth]", .x_min = window.begin, .x_max = window.end});
   const auto [nodes, heights] = surface_nodes(r.flow, window);
   std::vector<double> differences = heights;
   for (std::size_t k = 0; k < nodes.size(); ++k) differences[k] -= r.wave.elevation(nodes[k] - place);
@@ -305,7 +307,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   draw_wave(exhibit, r, mesh);
   tabulate(exhibit, r.sides, "sides", "Columns alone, rows alone", "The steps are the same, 0.05.");
   tabulate(exhibit, r.refinement, "refinement", "Columns, rows and steps refined together",
-           "One-step scheme, as the parameters else.");
+           "One-step scheme; other parameters as set.");
   draw_refinement(exhibit, r);
 }
 
@@ -317,13 +319,12 @@ void solitary_mesh(Case& c) {
   c.source = literature::frank + ", chapter 2; " + literature::dutykh_clamond;
   c.parameters = {
       real("amplitude", 0.3, "depth", {0.01, 0.65}, "crest above still water"),
-      real("h1", {0.5, 0.25, 0.125}, "depth", {0.02, 2}, "width of the columns; changed to fill the tank"),
+      real("h1", {0.5, 0.25, 0.125}, "depth", {0.02, 2}, "column width; adjusted to fill the tank"),
       integer("rows", {4, 8, 16}, {1, 100}, "of cells over the depth"),
       real("tau", {0.1, 0.05, 0.025}, "sqrt(depth/g)", {1e-3, 0.5}, "step"),
-      choice("scheme", "one_step", {"one_step", "one_step_feedback", "conservative"},
-             "of the run whose measures are kept"),
+      choice("scheme", "one_step", {"one_step", "one_step_feedback", "conservative"}, "of the run that is evaluated"),
       choice("start", "sampled", {"sampled", "impulse"},
-             "first velocities, but for the coarsest mesh under a high wave"),
+             "initial velocities, except on the coarsest mesh under a high wave"),
       real("hourglass", 0.0, "1", {0, 10},
            "kappa_0 of the force against node motions (-1)^(i+j), with the same exception"),
   };

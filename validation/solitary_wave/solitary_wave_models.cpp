@@ -1,26 +1,26 @@
 /*
-Which model should one take? A high solitary wave travels along a tank, by six models: free particles under Gauss's
-principle, the Lagrangian mesh, Dirichlet cells, particles of variable mass, the discrete dispersive shallow water in
-one dimension, and weakly compressible SPH. The exact wave of the Euler equations tells how far off each is.
+Which model suits a high solitary wave? The wave travels along a tank, computed with six models: Gauss-principle
+particles, the Lagrangian mesh, Dirichlet cells, variable-mass particles, dispersive shallow water in one dimension, and
+weakly compressible SPH. The reference is the exact wave of the Euler equations.
 
-**Set-up.** Depth, gravity and density are 1; the wave is half as high as the water is deep. All begin with the exact
-surface and velocities (SPH: and pressures) in a tank so long that at its ends the wave is less than four thousandths of
-its height; walls at the ends, but a periodic box for SPH. The dispersive model, for which the wave is none, starts from
-the solitary wave of its own equations with the same height. Nodes of variable mass are drawn back to their places, and
-cells have a hundredth of stabilisation. Each is refined in space and time together.
+**Set-up.** Depth, gravity and density are 1; H/h = 0.5. All models start from the exact surface and velocities (SPH:
+and pressures) in a tank at whose ends the wave is less than 0.004 of its height; walls at the ends, in SPH a periodic
+box. The dispersive model starts from the solitary wave of its own equations with the same height. Nodes of the
+variable-mass model are drawn back to their initial positions, and the pressure stabilisation of cells is 0.01. Each
+model is refined in space and time together.
 
-**What is compared.** Elevations of markers, nodes or the surface's curve within six depths of the exact crest, when
-that has travelled eight depths: the root mean square over the height. Then each goes on for eighteen depths, unless it
-breaks down or its surface is off by a tenth of the height.
+**What is compared.** Elevations of markers, nodes or the surface curve within a distance of 6 from the exact crest,
+after it has travelled a distance of 8: rms over the height. Each model then continues to a distance of 18, unless it
+breaks down or its surface is in error by a tenth of the height.
 
-**What to look at.** Free particles are the nearest, with an error of some ten-thousandths: the lag of their steps.
-Mesh, Dirichlet cells and variable mass give some thousandths, the mesh the least for the time that it takes. The
-dispersive model ends five per cent off, however fine: its wave of this height has another shape and speed. SPH loses
-height by its viscosity. Particles of variable mass on the finest rows give out near the end of the way: the surface
-slides over a cell beneath until that has no water left.
+**What to look at.** Gauss-principle particles have the smallest error, a few times 0.0001, the lag of their steps.
+Mesh, Dirichlet cells and variable-mass particles have errors of a few times 0.001, the mesh the smallest for its CPU
+time. The error of the dispersive model converges to 5 %: its wave of this height has another shape and speed. SPH loses
+height by viscosity. Variable-mass particles on the finest rows break down near the end of the run, when the surface has
+slid over a cell beneath until that cell is empty.
 
-**When it is no test.** No shore, no breaking: `run_up_gauss` and `overturning_gauss` have those. A lower
-wave is kinder to the dispersive model.
+**Limits of this test.** Shores and breaking are not covered (`run_up_gauss`, `overturning_gauss`). The error of the
+dispersive model is smaller for a lower wave.
 */
 #include <algorithm>
 #include <cmath>
@@ -74,7 +74,7 @@ Trial trial_of(const Values& values) {
           .last = values.real("last") / wave.speed(),
           .looks = 8,
           .useless = 0.1,
-          .useless_in_words = "the surface is off by a tenth of the height",
+          .useless_in_words = "the surface error exceeds a tenth of the height",
           .energy_scale = wave.kinetic_energy(),
           .reference_uncertainty = wave.uncertainty() / wave.amplitude()};
 }
@@ -107,15 +107,15 @@ void claim_accuracy(const Claims<Contest>& all, const Values& values) {
              "way, times the steepest slope.",
              "rms error of the surface over the height", error_of_finest,
              Bound{.limit = turn * turn / 12 * values.real("way") * std::tan(wave.maximum_slope()) / wave.amplitude(),
-                   .reason = "the discrete gradient lags by (k c tau)^2/12 of its way, k the rate of decay of the "
-                             "wave's tails: that, times the steepest slope of the surface; cells are to add less"});
+                   .reason = "the discrete gradient lags by (k c tau)^2/12 of the distance, k the decay rate of the "
+                             "tails: that, times the steepest slope of the surface; the cells must add less"});
   claims_of(all, "mesh")
-      .check(
-          "mesh-order", "The mesh is of second order.", "order of the rms error of the surface", &Entry::order,
-          Order{.theory = 2,
-                .tolerance = 0.3,
-                .reason = "second order in space and time; at a crest half as high as the depth cells of a ninth of it "
-                          "are not small, and the next terms are seen"});
+      .check("mesh-order", "The surface error of the Lagrangian mesh converges at second order.",
+             "order of the rms error of the surface", &Entry::order,
+             Order{.theory = 2,
+                   .tolerance = 0.3,
+                   .reason = "second order in space and time; for H/h = 0.5 cells of h/9 are not small, and the next "
+                             "terms are visible"});
   for (const Named& model : {Named{"dirichlet", "Dirichlet cells"}, variable_mass}) {
     const double kh = k / values.number("cells");
     claims_of(all, model.id)
@@ -124,8 +124,8 @@ void claim_accuracy(const Claims<Contest>& all, const Values& values) {
                            model.name),
                "rms error of the surface over the height", error_of_finest,
                Bound{.limit = kh * kh,
-                     .reason = "(k h)^2, k the rate of decay of the wave's tails: the exact wave satisfies the "
-                               "equations of the cells but for terms of second order"});
+                     .reason = "(k h)^2, k the decay rate of the tails: the exact wave satisfies the cell equations up "
+                               "to second-order terms"});
   }
   const double apart = equations_apart(values);
   claims_of(all, "dispersive")
@@ -135,11 +135,11 @@ void claim_accuracy(const Claims<Contest>& all, const Values& values) {
              "within 10 %.",
              "rms error of the surface over the height", error_of_finest,
              Bound{.limit = 0.1 * apart,
-                   .reason = "both exact waves are known to round-off; of use where the spacing matters a tenth of "
-                             "what the equations do",
+                   .reason = "both exact waves are known to round-off; the claim requires a spacing error below a "
+                             "tenth of the equation error",
                    .expected = apart});
   claim_dissipates(claims_of(all, "sph"), {"sph", "SPH"},
-                   "the viscosity acts on approaching pairs against their approach", source);
+                   "artificial viscosity acts on approaching pairs only and is dissipative", source);
 }
 
 void claims(const Values& values, const Claims<Contest>& all) {
@@ -150,7 +150,7 @@ void claims(const Values& values, const Claims<Contest>& all) {
                "one rounding per step of the kinetic and of the potential energy",
                "Frank (1994), chapter 6; exact for every space and step");
   const auto moderate = claims.only_if(values.real("amplitude") <= 0.5 && values.real("last") <= 18,
-                                       "higher waves, and longer ways, end them");
+                                       "these models break down in higher waves and longer runs");
   for (const Named& model : {particles, mesh, Named{"dispersive", "dispersive shallow water"}}) {
     claim_lasts(claims_of(moderate, model.id), model, trial_of(values).last, source);
   }
@@ -179,13 +179,13 @@ void solitary_wave_models(Case& c) {
   c.source = literature::dutykh_clamond + "; " + literature::frank;
   c.parameters = {
       real("amplitude", 0.5, "depth", {0.05, 0.6}, "crest above still water"),
-      real("way", 8.0, "depth", {1, 50}, "of the crest until errors are compared"),
-      real("last", {12.0, 18.0, 18.0}, "depth", {1, 100}, "way of the crest for which the models are followed"),
-      integer("particles", {3, 8, 8}, {2, 16}, "cells of the free particles to the depth, finest of three"),
+      real("way", 8.0, "depth", {1, 50}, "distance travelled when errors are compared"),
+      real("last", {12.0, 18.0, 18.0}, "depth", {1, 100}, "distance travelled at the end of the runs"),
+      integer("particles", {3, 8, 8}, {2, 16}, "cells of the Gauss-principle particles per depth, finest of three"),
       integer("mesh", {24, 48, 48}, {8, 64}, "rows of the Lagrangian mesh, finest of four"),
       integer("cells", {8, 16, 16}, {8, 32}, "rows of Dirichlet cells and variable masses, the finest"),
-      integer("markers", {32, 64, 64}, {8, 512}, "of the dispersive model to the depth, finest of four"),
-      integer("sph", {7, 16, 16}, {6, 96}, "rows of SPH particles, finest of three"),
+      integer("markers", {32, 64, 64}, {8, 512}, "nodes of the dispersive model per depth, finest of four"),
+      integer("sph", {7, 16, 16}, {6, 96}, "SPH particles over the depth, finest of three"),
   };
   c.study = Study(claims, compute, show, source);
 }

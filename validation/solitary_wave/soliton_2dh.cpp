@@ -1,24 +1,23 @@
 /*
-A solitary wave on a coarse grid keeps amplitude, energy and speed: with this Frank (1994, section 4.3) introduces both
-his models of waves in three dimensions, two-dimensional horizontal (2DH) dispersive shallow water and the hexahedral
-Lagrangian mesh. Depth and gravity are 1.
+A solitary wave on a coarse grid retains amplitude, energy and speed: with this test Frank (1994, section 4.3)
+introduces both his models of waves in three dimensions, two-dimensional horizontal (2DH) dispersive shallow water and
+the hexahedral Lagrangian mesh. Depth and gravity are 1.
 
-**Set-up.** The solitary wave of the Green-Naghdi equations,
-$\eta = a\,\mathrm{sech}^2\sqrt{3a/(4(1+a))}\,(x - ct)$, $c = \sqrt{1 + a}$, stands on columns of equal volume and runs
-along $x$, over more than a hundred depths, with time steps of $0.4\,h$. Cells are $h$ long and $h$ wide; the
-hexahedral mesh has one to three layers.
+**Set-up.** The solitary wave of the Green-Naghdi equations, $\eta = a\,\mathrm{sech}^2\sqrt{3a/(4(1+a))}\,(x - ct)$, $c
+= \sqrt{1 + a}$, starts on columns of equal volume and runs along $x$, over a distance of more than 100, with time steps
+of $0.4\,h$. Cells are $h$ long and $h$ wide; the hexahedral mesh has one to three layers.
 
-**What is compared.** Height of the crest and its band, speed of the crest, and energy, once the wave has become a wave
-of the lattice: after the first fifth of the run in the 2DH model, after half of it on the hexahedral mesh, whose own
-wave is farther from the one it starts with. The speed is compared with the Green-Naghdi equations for the height that
-the crest has, in the 2DH model; for the hexahedral mesh with the exact solitary wave of the same height.
+**What is compared.** Crest elevation and its variation, crest speed, and energy, once the wave has become a wave of the
+grid: after the first fifth of the run in the 2DH model, after half of it on the hexahedral mesh, whose own wave differs
+more from the initial one. The reference at the measured crest elevation is the speed of the Green-Naghdi equations for
+the 2DH model, the speed of the exact solitary wave for the hexahedral mesh.
 
-**What to look at.** The 2DH model keeps the height to half a per cent even on cells as long as the water is deep: the
-wave is then six cells long. The hexahedral mesh with one layer has a solitary wave of its own, a tenth lower and
-slower, which it keeps as well once it has shed what it started with too much: that takes a hundred depths, and its run
-lasts twice as long. Three layers bring the wave near the exact one. Where it started, the mesh's surface nodes keep
-sliding slowly over those below, for the exact velocities are not quite a potential flow of the mesh: it would tangle
-there in the end, long after the wave has gone, and the runs of two and three layers end at $t = 100$.
+**What to look at.** The 2DH model retains the height to 0.5 % even on cells of one depth, when the wave is six cells
+long. The hexahedral mesh with one layer has a solitary wave of its own, a tenth lower and slower, which it retains as
+well after shedding the excess; this takes a distance of 100, and its run lasts twice as long. With three layers the
+wave is near the exact one. Where the wave started, surface nodes continue to slide slowly over those below, because the
+exact velocities are not quite a potential flow of the mesh: the mesh would tangle there long after the wave has left,
+and the runs with two and three layers end at $t = 100$.
 */
 #include <cmath>
 
@@ -99,40 +98,42 @@ Bound energy_bound(const Travel& travel) {
   const double missed = 3 * a * travel.run.tau * travel.run.tau / 8;
   const double columns = 3 * a / (1 + a) * h * h / 12;
   const std::string reason =
-      "(omega tau)^2/8, by which the energy differs from what the scheme keeps, times the part by which the wave "
-      "changes as it becomes a wave of the lattice: (2 kappa h)^2/12, the error of differences";
+      "(omega tau)^2/8, the difference of energy from the conserved quantity of the scheme, times the relative change "
+      "of the wave as it becomes a wave of the grid: (2 kappa h)^2/12, the error of differences";
   if (travel.layers == 0) return {missed * columns, reason};
   const auto layers = static_cast<double>(travel.layers);
-  return {missed * (columns + 0.5 / (layers * layers)),
-          reason + ", and half over the square of the layers, by which masses in nodes raise the vertical inertia"};
+  return {
+      missed * (columns + 0.5 / (layers * layers)),
+      reason + ", and half over the square of the number of layers, the increase of vertical inertia by nodal masses"};
 }
 
 void claim_travel(const Claims<Travel>& claims, const Travel& travel) {
   const auto claim = [&](const std::string& what, const std::string& text, const std::string& quantity) {
-    return evidence::Claim{travel.id + "-" + what, travel.name + ": " + text, quantity, "1", frank};
+    return evidence::Claim{travel.id + "-" + what, fmt::format("{} ({}).", text, travel.name), quantity, "1", frank};
   };
   const PlanSolitonRun& run = travel.run;
-  const Bound unseen = travel.layers == 0 ? Bound{0.01 * run.spacing * run.spacing,
-                                                  "one per cent, which is not seen in a plot of the wave, on cells as "
-                                                  "long as the water is deep; second order in h"}
-                                          : Bound{0.01, "one per cent is not seen in a plot of the wave"};
-  const evidence::Claim height = claim("height", "the wave height stays constant.", "band of the height over its mean");
+  const Bound unseen = travel.layers == 0
+                           ? Bound{0.01 * run.spacing * run.spacing,
+                                   "1 %, invisible in a plot of the wave, on cells one depth long; second order in h"}
+                           : Bound{0.01, "1 %, invisible in a plot of the wave"};
+  const evidence::Claim height =
+      claim("height", "The wave height is constant within 1 %", "variation of the height over its mean");
   claims
       .only_if(
           travel.layers != 1 || run.settled >= shedding,
-          fmt::format(
-              "the wave of one layer, a tenth lower than the one it starts from, sheds the rest for {:g} sqrt(H/g)",
-              shedding))
+          fmt::format("the wave of one layer, a tenth lower than the initial one, sheds the excess for {:g} sqrt(H/g)",
+                      shedding))
       .check(height, &Travel::band, unseen);
   claims.check(
-      claim("energy", "the energy is conserved.", "largest relative defect of the energy"),
+      claim("energy", "The energy is conserved within the swing of the one-step scheme",
+            "largest relative energy error"),
       [](const Travel& t) { return t.found.energy_defect; }, energy_bound(travel));
-  claims.check(claim("speed", "the speed agrees with the exact wave.", "relative error of the speed"),
+  claims.check(claim("speed", "The wave speed agrees with the exact wave within 1 %", "relative error of the speed"),
                &Travel::speed_error,
                travel.layers == 0
                    ? Bound{1e-3 * run.spacing * run.spacing,
                            "second order in h and tau, with a factor that longer waves make smaller"}
-                   : Bound{0.01, "Frank gives no number: one per cent of the speed of the exact wave of this height"});
+                   : Bound{0.01, "Frank gives no number: 1 % of the speed of the exact wave of this height"});
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
@@ -176,7 +177,7 @@ Results compute(const Run& run) {
 
 void draw_waves(evidence::Exhibit& exhibit, const Results& r) {
   const PlanSolitonRun& coarsest = r.travels.front().run;
-  auto& panel = add_panel(exhibit, "waves", "The wave at the beginning and at the end",
+  auto& panel = add_panel(exhibit, "waves", "Initial and final wave",
                           fmt::format("2DH model, h = {:g}: nodes of one row about the crest, and the exact wave "
                                       "of the equations moved to the crest.",
                                       coarsest.spacing),
@@ -196,8 +197,8 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   auto& plan = figure.panel({.x = "t sqrt(g/H)", .y = "crest / H", .title = "2DH model"});
   auto& mesh = figure.panel({.x = "t sqrt(g/H)", .y = "crest / H", .title = "Hexahedral mesh"});
   evidence::Table& table = add_table(exhibit, "travels", "Solitary waves on coarse grids",
-                                     "Mean height, its band and speed once the wave has settled; speed against the "
-                                     "equations' for this height; largest relative error of the energy.",
+                                     "Mean height, its variation and speed of the settled wave; speed against the "
+                                     "equations at this height; largest relative energy error.",
                                      {"model", "h [depth]", "height [depth]", "lowest [depth]", "highest [depth]",
                                       "speed [sqrt(gH)]", "speed error", "energy defect"});
   for (const Travel& travel : r.travels) {
@@ -216,11 +217,11 @@ void soliton_2dh(Case& c) {
   c.title = "A solitary wave on a coarse grid: 2DH model and hexahedral mesh";
   c.source = literature::frank + ", section 4.3";
   c.parameters = {
-      real("amplitude", 0.3, "H", {0.02, 0.5}, "of the wave at the beginning"),
+      real("amplitude", 0.3, "H", {0.02, 0.5}, "of the initial wave"),
       real("time", 100, "sqrt(H/g)", {20, 2000},
-           "length of the runs of the 2DH model, and of the mesh up to 100; with one layer twice as long"),
+           "length of the runs of the 2DH model, and of the mesh up to 100; twice as long with one layer"),
       real("finest", {0.5, 0.25, 0.125}, "H", {0.05, 0.5}, "finest cells of the 2DH model, beside 1, 0.7 and 0.5"),
-      integer("rows", 1, {1, 16}, "cells across the wave's way"),
+      integer("rows", 1, {1, 16}, "cells across the wave direction"),
       choice("scheme", "one_step", {"one_step", "one_step_feedback", "conservative"}, "time stepping"),
   };
   c.published = {{.tiles = {"frank-soliton-plan"}, .stated = {"scheme"}}};

@@ -1,24 +1,24 @@
 /*
-A solitary wave of the Green-Naghdi equations, $a/h_0 = 0.21$ on $h_0 = 10$ m of water with $g = 10$ m/s², travels 32
-depths in 29.2 s through a channel 700 m long. Le Métayer, Gavrilyuk and Hank (2010) set it as a test; Basilisk (S.
-Popinet) keeps it among the tests of its Green-Naghdi solver and publishes the errors.
+A solitary wave of the Green-Naghdi equations, $a/h_0 = 0.21$ on $h_0 = 10$ m of water with $g = 10$ m/s², travels a
+distance of $32\,h_0$ in 29.2 s through a channel 700 m long. Le Métayer, Gavrilyuk and Hank (2010) proposed the test;
+Basilisk (S. Popinet) includes it in the tests of its Green-Naghdi solver and publishes the errors.
 
-**What is compared.** The largest error of the elevation over the amplitude, each method at its own points: markers
-here, cell centres there. Against the number of cells, the work (markers times solves; a step of the one-step scheme is
-one solve) and the processor time, which counts from the initial markers to the last step. For the one-step scheme also
-the error between its markers, where the surface is straight.
+**What is compared.** The largest elevation error over the amplitude, each method at its own points: nodes here, cell
+centres there; as a function of the number of cells, of the work (nodes times solves; a step of the one-step scheme is
+one solve) and of the processor time, from the initial nodes to the last step. For the one-step scheme also the error between
+its nodes, where the surface is straight.
 
 **How long the steps are.** Work is inverse to $h\tau$. With errors $Sh^2$ in space and $B\tau^p$ in time it is least
-where $Sh^2 = \tfrac{p}{2} B\tau^p$: equal for $p = 2$, also where they are of opposite sign and cancel. Both are
-measured first, on cells of `pilot`, for every scheme; $\tau$ follows for every $h$. So each scheme is at its best, for
-this wave: another one has another $S/B$. No stage of a step is longer than half the longest stable one; orders are
+where $Sh^2 = \tfrac{p}{2} B\tau^p$: equal for $p = 2$, also where both have opposite signs and cancel. Both are
+measured first, on cells of `pilot`, for every scheme; $\tau$ follows for every $h$. Each scheme is thus at its best for
+this wave; another wave has another $S/B$. No stage of a step is longer than half the longest stable one; orders are
 claimed where that does not bind.
 
-**What to look at.** The one-step scheme wins: one solve per step, and an error in time that cancels much of the one in
-space. Fourth order in time pays only against the plain conservative scheme: what remains, the error in space, is of
-second order. Suzuki's composition shows what the wave costs without that cancellation. Basilisk's error with 1024 cells
-needs about a ninth of them here, or a fifth where the straight lines between markers count. Processor times depend on
-the machine, nothing is claimed of them: the point of Basilisk is from another one.
+**What to look at.** The one-step scheme is the most efficient: one solve per step, and a time error that cancels much
+of the spatial error. Fourth order in time pays only against the plain conservative scheme: the remaining spatial error
+is second-order. Suzuki's composition shows the cost of the wave without that cancellation. Basilisk's error with 1024
+cells needs about a ninth of them here, or a fifth if the straight lines between nodes count. Processor times depend on
+the machine and are not claimed: Basilisk's point comes from another machine.
 */
 #include <algorithm>
 #include <cmath>
@@ -312,17 +312,19 @@ void claims(const Values& values, const Claims<Results>& claims) {
     std::string id = contender.id;
     std::replace(id.begin(), id.end(), '_', '-');
     // A composition's best steps shrink like the root of the cells' width, the longest stable ones like the width.
-    curve.only_if(order_in_time(contender.scheme) == 2, "its best steps are longer than half the longest stable one")
+    curve.only_if(order_in_time(contender.scheme) == 2, "its optimal steps exceed half the longest stable one")
         .check(
-            "order-" + id, name + ": second order along its best steps.", "observed order of the largest error",
+            "order-" + id,
+            fmt::format("The largest error converges at second order along the optimal steps ({}).", name),
+            "observed order of the largest error",
             [floor = 3 * tail_at_walls(wave)](const Curve& c) { return order_of(c, floor); },
-            Order{2, 0.15, "cells from half a depth, where the next order still takes 0.13 off the order"});
+            Order{2, 0.15, "cells from half a depth, where the next order still reduces the order by 0.13"});
     curve.at("128 .. 1024 cells")
-        .only_if(peers_wave, "the comparison scheme's errors are of its own wave on 128 .. 1024 cells")
+        .only_if(peers_wave, "the errors of the comparison scheme belong to the default wave on 128 .. 1024 cells")
         .from(peer_source)
-        .check("against-peer-" + id, fmt::format("{}: with as many cells the error is smaller than Basilisk's.", name),
-               "largest error ratio", against_peer,
-               Bound{.limit = 1, .reason = "a method that is worse than current practice has to say so"});
+        .check("against-peer-" + id,
+               fmt::format("The error of {} is smaller than Basilisk's with the same number of cells.", name),
+               "largest error ratio", against_peer, Bound{.limit = 1, .reason = "comparison with current practice"});
   }
 }
 
@@ -346,11 +348,11 @@ void draw_wave(evidence::Exhibit& exhibit, const SerreWave& wave, const Picture&
   const exact::SerreSolitary exact = wave.exact();
   const std::vector<double> x = evenly(wave.begin, wave.end, 701);
   auto& panel =
-      add_panel(exhibit, "wave", "The wave at the beginning and at the end",
+      add_panel(exhibit, "wave", "Initial and final wave",
                 fmt::format("One-step scheme, {} cells, steps of {:.3g} s.", picture.x.size() - 1, picture.tau),
                 {.x = "x [m]", .y = "elevation [m]"});
   panel.line("exact", x, each(x, [&](double at) { return exact.elevation(at, wave.time); }), Role::exact);
-  panel.line("at the beginning", x, each(x, [&](double at) { return exact.elevation(at); }), Role::guide);
+  panel.line("initial", x, each(x, [&](double at) { return exact.elevation(at); }), Role::guide);
   panel.points("markers", picture.x, picture.y, Role::computed);
 }
 
@@ -361,12 +363,13 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
                             "Largest error of the elevation over the amplitude after 32 depths. Basilisk's time is "
                             "from another machine.",
                             {.x = "processor time [s]", .y = "error/a", .log_x = true, .log_y = true});
-  auto& figure = exhibit.figure("cells_and_work", "Error against cells and work", "The same, free of any machine.");
+  auto& figure =
+      exhibit.figure("cells_and_work", "Error against cells and work", "The same, independent of the machine.");
   auto& by_cells = figure.panel({.x = "cells", .y = "error/a", .log_x = true, .log_y = true});
-  auto& by_work = figure.panel({.x = "markers x solves", .y = "error/a", .log_x = true, .log_y = true});
+  auto& by_work = figure.panel({.x = "nodes x solves", .y = "error/a", .log_x = true, .log_y = true});
   evidence::Table& table = add_table(
       exhibit, "runs", "Runs", "Steps of least work for each scheme; processor time of this machine.",
-      {"scheme", "cells", "tau [s]", "error/a [1]", "between markers [1]", "markers x solves", "processor time [s]"});
+      {"scheme", "cells", "tau [s]", "error/a [1]", "between nodes [1]", "nodes x solves", "processor time [s]"});
   const auto draw = [&](const std::string& label, const Curve& curve, const std::vector<double>& error) {
     by_cells.line(label, curve.cells, error, Role::computed);
     by_work.line(label, curve.work, error, Role::computed);
@@ -377,7 +380,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
     const Curve& curve = r.curves[i];
     show_costs(exhibit, contenders[i].id, curve);
     draw(name, curve, curve.error);
-    if (i == 0) draw(name + ", between markers", curve, curve.surface_error);
+    if (i == 0) draw(name + ", between nodes", curve, curve.surface_error);
     for (std::size_t k = 0; k < curve.cells.size(); ++k) {
       table.rows.push_back({name, curve.cells[k], curve.tau[k], curve.error[k], curve.surface_error[k], curve.work[k],
                             curve.seconds[k]});
@@ -392,7 +395,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 }  // namespace
 
 void soliton_le_metayer(Case& c) {
-  c.title = "A solitary wave over 32 depths: what accuracy costs";
+  c.title = "Solitary wave over 32 depths: cost of accuracy";
   c.source =
       "O. Le Metayer, S. Gavrilyuk, S. Hank, A numerical scheme for the Green-Naghdi model, J. Comput. Phys. 229 "
       "(2010) 2034, section 6.1; S. Popinet, Basilisk, src/test/soliton.c";
@@ -401,10 +404,10 @@ void soliton_le_metayer(Case& c) {
       real("amplitude", 2.1, "m", {0.01, 8}, "crest above still water"),
       real("depth", 10.0, "m", {1, 20}, "of still water"),
       real("gravity", 10.0, "m/s^2", {0.1, 100}, "acceleration of gravity"),
-      real("time", 29.2, "s", {1, 40}, "when the error is taken"),
-      real("pilot", 3.0, "m", {0.5, 10}, "width of the cells on which the best steps are found"),
+      real("time", 29.2, "s", {1, 40}, "time at which the error is evaluated"),
+      real("pilot", 3.0, "m", {0.5, 10}, "cell width at which the optimal steps are determined"),
       integer("coarsest", 64L, {32, 512}, "smallest number of cells"),
-      integer("levels", {5, 6, 7}, {5, 8}, "how often it is doubled, plus one"),
+      integer("levels", {5, 6, 7}, {5, 8}, "number of resolutions, each twice the one before"),
   };
   c.study = Study(claims, compute, show, "Frank (1994), chapter 3");
 }

@@ -1,20 +1,19 @@
 /*
-A solitary wave runs over a round shoal that takes away two fifths of the depth, and is gathered behind it: by the
-hexahedral Lagrangian mesh, whose lowest nodes slide on the bottom, and by dispersive shallow water in 2DH, over
-the same bottom. Depth and gravity are 1.
+A solitary wave passes a round shoal that reduces the depth by 40 % and is focused behind it: hexahedral Lagrangian
+mesh, whose lowest nodes slide on the bed, and dispersive shallow water in 2DH, over the same bathymetry. Depth and
+gravity are 1.
 
-**Set-up.** A channel of walls, 35 depths long and 6 wide. The shoal, $z = -1 + s\,(1 - r^2/16)^3$ within $r = 4$, has
-its top on one wall, which mirrors it. The wave starts 12 depths before the top, a wave of the Euler equations on the
-hexahedra, a wave of the Green-Naghdi equations in 2DH. Cells are as long and as wide as a layer of the mesh is high;
-both models have the same cells and steps.
+**Set-up.** A channel between walls, 35 long and 6 wide. The shoal, $z = -1 + s\,(1 - r^2/16)^3$ within $r = 4$, has its
+top at one wall, a plane of symmetry. The wave starts at a distance of 12 before the top, a wave of the Euler equations
+on the hexahedra, a wave of the Green-Naghdi equations in 2DH. Cells are as long and as wide as a layer of the mesh is
+high; both models have the same cells and steps.
 
-**What is compared.** The largest elevation at three places on the walls: over the top, two depths behind it, and
-across the channel beside the top. Each model comes with the uncertainty that three of its meshes give. The 2DH model
-leaves out what is of the order of $(\kappa h)^4$, with $\kappa^2 h^2 = 3a/(4(h + a))$ of the solitary wave of this
-height over the top.
+**What is compared.** Maximum elevation at three positions on the walls: over the top, a distance of 2 behind it, and
+across the channel beside the top. Three meshes of each model give its uncertainty. The 2DH model neglects terms of
+order $(\kappa h)^4$, with $\kappa^2 h^2 = 3a/(4(h + a))$ of the solitary wave of this height over the top.
 
-**What to look at.** Both models gather the wave in the lee, the 2DH model more: there the waves are steepest and
-shortest. Across, where the bottom is level, they agree to half a per cent.
+**What to look at.** Both models focus the wave in the lee, the 2DH model more: there the waves are steepest and
+shortest. Across, where the bed is level, they agree to 0.5 %.
 */
 #include <algorithm>
 #include <array>
@@ -217,16 +216,14 @@ void claim_energy(const Claims<Results>& claims, const ShoalWave& finest, const 
   claims.where("t = {:.1f}")
       .check(
           "energy-" + id,
-          name +
-              ": the energy changes by at most 3 a tau^2/8, the swing of the scheme, times the part of the depth that "
-              "the "
-              "shoal takes.",
+          fmt::format("The energy change is at most 3 a tau^2/8, the swing of the scheme, times the relative height of "
+                      "the shoal ({}).",
+                      name),
           "largest relative change of the energy",
           [model](const Results& all) { return (all.back().*model).energy_defect; },
           Bound{.limit = 3 * finest.amplitude * std::pow(finest.tau(), 2) / 8 * finest.height,
-                .reason =
-                    "(omega tau)^2/8, omega^2 = 3a, by which the energy differs from what the scheme keeps, times "
-                    "the part by which the shoal can change the wave, the part of the depth it takes"});
+                .reason = "(omega tau)^2/8, omega^2 = 3a, the difference of energy from the conserved quantity of the "
+                          "scheme, times the relative change of the wave by the shoal, its height over the depth"});
 }
 
 void claims(const Values& values, const Claims<Results>& all) {
@@ -241,7 +238,7 @@ void claims(const Values& values, const Claims<Results>& all) {
         fmt::format("The maximum elevations of both models {} agree within the uncertainty of three meshes and the "
                     "neglected terms (kappa h)^4.",
                     gauge.name),
-        "difference of the largest elevations over its uncertainty",
+        "difference of the maximum elevations over its uncertainty",
         [g, finest](const Results& r) -> Measurement {
           const double hexahedra = highest(r, &Pair::hexahedra, g);
           const double plan = highest(r, &Pair::plan, g);
@@ -250,25 +247,25 @@ void claims(const Values& values, const Claims<Results>& all) {
           return {.value = (hexahedra - plan) / std::hypot(grids, 2 * left_out(finest) * plan)};
         },
         Bound{.limit = 1,
-              .reason = "the 95 % half-widths of both from three meshes, and what the 2DH model leaves out, (kappa "
-                        "h)^4 with a coefficient of up to 2"});
+              .reason = "the 95 % half-widths of both from three meshes, and the terms neglected by the 2DH model, "
+                        "(kappa h)^4 with a coefficient of up to 2"});
     claims.check(
         fmt::format("resolved-{}", gauge.id),
         fmt::format("The uncertainty of the maximum elevation {} with hexahedra is below the terms (kappa h)^4 that "
                     "the 2DH model neglects.",
                     gauge.name),
-        "uncertainty of the largest elevation, from three meshes, over the elevation",
+        "uncertainty of the maximum elevation, from three meshes, over the elevation",
         [g](const Results& r) {
           return converged(r, &Pair::hexahedra, g).uncertainty / highest(r, &Pair::hexahedra, g);
         },
         Bound{.limit = 2 * left_out(finest),
-              .reason = "what is not known better says nothing about what the 2DH model leaves out"});
+              .reason = "a larger uncertainty would exceed the terms neglected by the 2DH model"});
   }
   claims.check(
-      "gathered", "The shoal gathers the wave: it is higher in the lee than across.",
-      "largest elevation behind the top over that across, hexahedra",
+      "gathered", "The maximum elevation in the lee of the shoal exceeds the elevation across the channel.",
+      "maximum elevation behind the top over that across, hexahedra",
       [](const Results& r) { return highest(r, &Pair::hexahedra, 1) / highest(r, &Pair::hexahedra, 2) > 1; },
-      Qualitative{.detector = "it is larger", .reason = "the wave is slower over the shoal and turns"});
+      Qualitative{.detector = "larger in the lee", .reason = "the wave is slower over the shoal and refracts"});
 }
 
 Results compute(const Run& run) {
@@ -299,7 +296,7 @@ void show(const Results& all, const Values& /*values*/, evidence::Exhibit& exhib
 }  // namespace
 
 void soliton_over_shoal(Case& c) {
-  c.title = "A solitary wave over a round shoal: 2DH model and hexahedral mesh";
+  c.title = "Solitary wave over a round shoal: 2DH model and hexahedral mesh";
   c.source = literature::frank + ", chapter 4";
   c.parameters = {
       real("amplitude", 0.2, "depth", {0.05, 0.3}, "height of the incident wave"),

@@ -1,23 +1,23 @@
 /*
-A solitary wave passes over a step in the bed onto a shelf and falls apart into several: Frank's example for
-particles of variable mass (1994, section 5.3). Depth before the step, gravity and density are 1.
+A solitary wave passes over a step in the bed onto a shelf and splits into several: Frank's example for variable-mass
+particles (1994, section 5.3). Depth before the step, gravity and density are 1.
 
-**Set-up.** The exact solitary wave of the Euler equations starts before the step. Nodes are kept at their $x$
-(`fixed_x`), or follow the water and are drawn back (`mapped`); those below the height of the shelf stay where they are
-at rest. The corner is sharp: the node there does not move.
+**Set-up.** The exact solitary wave of the Euler equations starts before the step. Nodes have constant $x$ (`fixed_x`),
+or follow the water and are drawn back (`mapped`); those below the height of the shelf keep their initial positions. The
+corner is sharp, with a fixed node.
 
-**Theory.** At the step a long wave changes its height by $T = 2/(1 + \sqrt{h})$ (Lamb); on the shelf it is no solitary
-wave any more. Inverse scattering of the Korteweg-de Vries equation gives the waves into which it falls apart:
+**Theory.** At the step a long wave changes its height by $T = 2/(1 + \sqrt{h})$ (Lamb); on the shelf it is no longer a
+solitary wave. Inverse scattering of the Korteweg-de Vries equation gives the waves into which it splits:
 
 $$\nu (\nu + 1) = \frac{2 T}{h^2}, \qquad \frac{a_n}{a_0} = h^2 (\nu - n + 1)^2 .$$
 
-**What is compared.** The crests on the shelf and the one reflected with that theory, whose own corrections are of
-relative order $a_1/h$. Energy and what the stabilisation took.
+**What is compared.** The crests on the shelf and the reflected crest with that theory, whose own corrections are of
+relative order $a_1/h$. Energy, and the dissipation of the stabilisation.
 
-**What to look at.** The first wave grows for some 80 depths as it leaves the others behind, and ends a few per cent
-below theory; the second is still climbing out of the third. The passage of the corner, where the flow is singular,
-costs little energy; most of what is dissipated goes on the long way over the shelf, whose rows are few for waves that
-short. The reflected wave comes back from the left wall and follows over the step.
+**What to look at.** The first wave grows over a distance of some 80 while it separates from the others, and ends a few
+per cent below theory; the second is still separating from the third. The passage of the corner, where the flow is
+singular, costs little energy; most dissipation occurs on the long way over the shelf, which has few rows for waves that
+short. The reflected wave returns from the left wall and follows over the step.
 */
 #include <algorithm>
 #include <array>
@@ -241,12 +241,12 @@ void claim_theory(const Values& values, const Claims<Passage>& own) {
   const SolitonFission theory(depth);
   const double small = theory.amplitude(1) * amplitude / depth;
   const double k = SolitaryWave(amplitude).decay_rate();
-  const auto parted =
-      own.only_if(values.real("time") >= 80 && small <= 0.5 && depth <= 0.6,
-                  "waves part after some 60 depths on a shelf of 0.6 or less, and theory is one of small waves");
+  const auto parted = own.only_if(
+      values.real("time") >= 80 && small <= 0.5 && depth <= 0.6,
+      "waves separate after some 60 h on a shelf of depth 0.6 or less, and the theory holds for small waves");
   for (const auto& [n, share, why] :
-       {std::tuple{1, 0.5, "half of it for the highest, which has nearly parted"},
-        std::tuple{2, 1.0, "the whole of it for the second, which climbs out of the third"}}) {
+       {std::tuple{1, 0.5, "half of it for the highest wave, which has nearly separated"},
+        std::tuple{2, 1.0, "the whole of it for the second wave, which is still separating from the third"}}) {
     const auto number = static_cast<std::size_t>(n);
     parted.check(
         fmt::format("peak-{}", n),
@@ -259,20 +259,21 @@ void claim_theory(const Values& values, const Claims<Passage>& own) {
               .relative = true});
   }
   parted.check(
-      "order-of-waves", "Waves follow one another by height.", "waves in front, each higher than the next",
+      "order-of-waves", "The waves on the shelf are ordered by height, the highest in front.",
+      "leading waves, each higher than the next",
       [](const Passage& p) {
         const std::span front = std::span(p.peaks).first(std::min(p.peaks.size(), shown));
         return front.size() >= 2 &&
                std::ranges::adjacent_find(front, std::less_equal{}, &CurveCrest::height) == front.end();
       },
-      Qualitative{"two crests or more in the front half of the way on the shelf, the first three descending",
+      Qualitative{"two crests or more in the front half of the shelf, the first three descending",
                   "higher waves are faster"});
   own.from("Lamb, Hydrodynamics (1932), 176")
       .check("reflected", "The height of the reflected crest agrees with long-wave theory.",
              "height over the depth before the step", &Passage::reflected,
              Bound{.limit = k * k,
-                   .reason = "Lamb's step is one of long waves: corrections of relative order (k H)^2, k the rate of "
-                             "decay of the wave's tails",
+                   .reason = "Lamb's theory holds for long waves: corrections of relative order (k H)^2, k the decay "
+                             "rate of the tails",
                    .expected = amplitude * theory.reflection(),
                    .relative = true});
 }
@@ -307,24 +308,23 @@ void claims(const Values& values, const Claims<Results>& claims) {
   own.check(
       "energy",
       "The energy with the booked losses changes by at most (omega tau)^2/8, the swing of the one-step scheme.",
-      "largest change, over the kinetic energy of the beginning", [](const Passage& p) { return p.run.energy_defect; },
+      "largest change over the initial kinetic energy", [](const Passage& p) { return p.run.energy_defect; },
       Bound{.limit = std::pow(omega * tau, 2) / 8,
             .reason = "(omega tau)^2/8, by which the energy of the one-step scheme oscillates; omega = k c of the "
                       "first wave on the shelf"});
   own.check(
-      "dissipation", "The stabilisation takes less than a tenth.",
-      "what it takes, over the kinetic energy of the beginning",
-      [](const Passage& p) { return p.run.dissipated.back(); },
+      "dissipation", "The energy dissipated by the stabilisation is below 10 % of the initial kinetic energy.",
+      "dissipated energy over the initial kinetic energy", [](const Passage& p) { return p.run.dissipated.back(); },
       Bound{.limit = 0.1,
-            .reason = "the energy of a solitary wave is as a^(3/2): a tenth would cost the first wave 7 per cent of "
-                      "its height, and the crests would tell of the stabilisation"});
+            .reason = "solitary wave energy is proportional to a^(3/2): 10 % would reduce the height of the first wave "
+                      "by 7 %, and the crests would measure the stabilisation"});
   const double area = values.real("step") + depth * values.real("shelf_length");
   own.check(
-      "mass", "Mass is handed on, never lost.", "largest change of the whole",
+      "mass", "The total mass of the variable-mass particles is conserved to round-off.", "largest change of the total",
       [](const Passage& p) { return p.run.mass_defect; },
       Roundoff{.operations = 8 * values.real("time") / tau * area * std::pow(rows, 2),
                .scale = std::pow(rows, -2),
-               .reason = "in a step some eight exchanges of each node, which rounds its mass, 1/ny^2"});
+               .reason = "some eight exchanges per node and step, each rounding the node's mass, 1/ny^2"});
 }
 
 Results compute(const Run& run) {
@@ -344,9 +344,9 @@ Results compute(const Run& run) {
 }
 
 void draw_way(const Results& r, evidence::Exhibit& exhibit) {
-  auto& figure = exhibit.figure("passage", "A solitary wave passes onto a shelf",
-                                "The surface at equal times, one above the other; beneath it the last of them with the "
-                                "heights of inverse scattering as bars. The step is at the vertical line.",
+  auto& figure = exhibit.figure("passage", "Solitary wave passing onto a shelf",
+                                "Surfaces at equal intervals, stacked; below, the last surface with the heights of "
+                                "inverse scattering as bars. The vertical line marks the step.",
                                 {"frank-step"});
   auto& way = figure.panel({.x = "x [depth]", .y = "t [sqrt(depth/g)] + 40 elevation"});
   constexpr std::size_t every = 4;
@@ -369,8 +369,8 @@ void draw_way(const Results& r, evidence::Exhibit& exhibit) {
 
 void draw_budget(const Results& r, evidence::Exhibit& exhibit) {
   auto& figure = exhibit.figure("budget", "Budget of energy",
-                                "Over the kinetic energy of the beginning. Dissipated is what the stabilisation took, "
-                                "booked step by step; below it for all meshes.");
+                                "Over the initial kinetic energy. Dissipated: energy taken by the stabilisation, "
+                                "booked step by step; below, for all meshes.");
   const SolitaryRun& own = r.own().run;
   auto& parts = figure.panel({.x = "t [sqrt(depth/g)]", .y = "energy"});
   std::vector<double> sum = own.kinetic;
@@ -404,20 +404,20 @@ void show(const Results& r, const Values&, evidence::Exhibit& exhibit) {
 }  // namespace
 
 void step_variable_mass(Case& c) {
-  c.title = "A solitary wave passes over a step in the bed";
+  c.title = "Solitary wave over a step in the bed";
   c.source = literature::frank + ", section 5.3; O. S. Madsen, C. C. Mei, J. Fluid Mech. 39 (1969) 781";
   c.tiers = {Tier::full};
   c.parameters = {
       real("amplitude", 0.1, "depth", {0.02, 0.3}, "of the wave before the step"),
-      real("shelf_depth", 0.5, "depth", {0.2, 0.9}, "of the water behind it"),
+      real("shelf_depth", 0.5, "depth", {0.2, 0.9}, "depth behind the step"),
       integer("ny", {6, 12, 12}, {4, 24}, "rows of cells over the depth on the finest mesh"),
       real("courant", 0.48, "1", {0.05, 0.6}, "step over the height of a row, in sqrt(depth/g) and depths"),
       choice("control", "fixed_x", {"none", "centroid", "mapped", "fixed_x"}, "of the nodes"),
       real("rate", 1.0, "sqrt(g/depth)", {0, 10}, "of the control"),
-      real("surface_rate", 1.0, "sqrt(g/depth)", {0, 10}, "at which nodes of the surface slide back"),
+      real("surface_rate", 1.0, "sqrt(g/depth)", {0, 10}, "rate at which surface nodes slide back"),
       real("stabilisation", 0.01, "1", {0, 10}, "epsilon"),
-      real("crest", 10.0, "depth", {5, 100}, "where the wave starts"),
-      real("step", 24.0, "depth", {15, 200}, "where the step is"),
+      real("crest", 10.0, "depth", {5, 100}, "initial crest position"),
+      real("step", 24.0, "depth", {15, 200}, "position of the step"),
       real("shelf_length", 70.0, "depth", {10, 500}, "behind it"),
       real("time", 92.0, "sqrt(depth/g)", {20, 500}, "of the run"),
   };

@@ -3,28 +3,29 @@ The frequency of a standing wave depends on its amplitude $a$. In water of depth
 
 $$\Omega = \omega\,\bigl(1 + C\,(a/H)^2\bigr),$$
 
-and $C$ changes sign: higher waves are faster in shallow water and slower in deep water. Tadjbakhsh and Keller's theory
-puts the change at $kH = 1.0581$, a wavelength of $5.938\,H$. Frank (1994, section 3.3) studies the effect with the
-discrete dispersive shallow-water model. In the limit of fine cells the model's coefficient has a closed form, with
-$z = \alpha k^2H^2$, $\alpha = 1/3$,
+and $C$ changes sign: frequency rises with amplitude in shallow water and falls in deep water. In Tadjbakhsh and
+Keller's theory the change is at $kH = 1.0581$, a wavelength of $5.938\,H$. Frank (1994, section 3.3) studies the effect
+with the discrete dispersive shallow-water model. In the limit of fine cells the model's coefficient has a closed form,
+with $z = \alpha k^2H^2$, $\alpha = 1/3$,
 
 $$C = -\frac{59 z^3 + 27 z^2 - 3 z - 3}{64\,z\,(1 + z)^2},$$
 
-zero at $kH = 0.9419$: the model has the effect at the wavelength $6.671\,H$. The source names Tadjbakhsh and Keller's
+zero at $kH = 0.9419$: the model has its critical wavelength at $6.671\,H$. The source names Tadjbakhsh and Keller's
 $5.94\,H$, which its equations do not have.
 
-**Set-up.** Half a wavelength between two walls, depth and gravity 1. The wave starts at rest, at its highest, with its
-second harmonic. The elevations are projected on $\cos kx$ of the labels; harmonics fitted to the series give $\Omega$.
+**Set-up.** Half a wavelength between two walls, depth and gravity 1. The wave starts from rest at maximum elevation,
+with its second harmonic. Elevations are projected on $\cos kx$ of the labels; harmonics fitted to the series give
+$\Omega$.
 
-**What is compared.** First the wave of the parameters against the closed form. Then coefficients without the errors of
-finite amplitude and spacing: amplitudes 0.02 and 0.01, boxes of `cells` and twice as many cells, extrapolated in the
-squares of both. The critical wavelength is the root of that measured coefficient. The same is done with an added energy
-of slopes, $\gamma = 1/15$, $\alpha = 2/5$, which makes small waves nearly Airy's. Its weight is a power $s$ of the
+**What is compared.** First the wave of the parameters with the closed form. Then coefficients in the limit of small
+amplitude and spacing: amplitudes 0.02 and 0.01, boxes of `cells` and twice as many cells, extrapolated in the squares
+of both. The critical wavelength is the root of that measured coefficient. The same with an additional energy of slopes,
+$\gamma = 1/15$, $\alpha = 2/5$, which gives small waves nearly Airy's dispersion. Its weight is a power $s$ of the
 depth.
 
-**What to look at.** The model follows its theory to four digits, and water qualitatively. The added energy with $s = 2$
-takes the effect away: $C$ stays positive. With $s = 0.714$ the critical wavelength equals the one in water, and longer
-waves are near Tadjbakhsh and Keller's; shorter ones slow down too little.
+**What to look at.** The model agrees with its theory to four digits, and with water qualitatively. The additional
+energy with $s = 2$ removes the effect: $C$ stays positive. With $s = 0.714$ the critical wavelength equals the value
+for water, and longer waves are near Tadjbakhsh and Keller's theory; the frequency of shorter ones falls too little.
 */
 #include <algorithm>
 #include <array>
@@ -182,11 +183,11 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const StandingBox box = own_box(values);
   const double own_theory = DispersiveStandingWave::frequency_correction(box.wavenumber, box.wave_parameters());
   claims.at(fmt::format("{} cells, tau = {:g}, a/H = {:g}", box.cells, box.tau, values.real("amplitude")))
-      .check("coefficient", "The frequency of the wave of the parameters changes with its amplitude as in theory.",
+      .check("coefficient", "The amplitude coefficient C of the wave of the parameters agrees with theory.",
              "C = (Omega/omega - 1)/(a/H)^2", &Results::own_coefficient,
              Bound{.limit = std::max(0.01 * std::abs(own_theory), 1e-3),
                    .reason = "1 %, and 0.001 where C nearly vanishes: the square of k s is 0.001 at k = 0.6, s = 0.05, "
-                             "the square of the amplitude 0.0004, their coefficients are of order one",
+                             "the square of the amplitude 0.0004, with coefficients of order one",
                    .expected = own_theory});
 
   const Limit fine(values);
@@ -196,11 +197,11 @@ void claims(const Values& values, const Claims<Results>& claims) {
     const double kh = judged_depths[k];
     limit.check(
         fmt::format("limit-{:.0f}", 1e4 * kh),
-        fmt::format("At k H = {:g} the model's coefficient agrees with its theory.", kh),
+        fmt::format("The coefficient C of the model at k H = {:g} agrees with its theory.", kh),
         "C = (Omega/omega - 1)/(a/H)^2", [k](const Results& r) { return r.coefficients[k]; },
         Bound{.limit = uncertainty,
-              .reason = "a quarter of (k s)^4 of the coarser box: what extrapolation in s^2 leaves of the next power, "
-                        "whose coefficient is at most of order one",
+              .reason = "a quarter of (k s)^4 of the coarser box: the error of extrapolation in s^2 from the next "
+                        "power, whose coefficient is at most of order one",
               .expected = DispersiveStandingWave::frequency_correction(kh, frank_model)});
   }
 
@@ -212,38 +213,42 @@ void claims(const Values& values, const Claims<Results>& claims) {
                  .reason = "a quarter of (k s)^4 of the coarser box over the slope of C, 1/2 per unit of kH",
                  .expected = wavelength};
   };
-  limit.check("critical-wavelength", "At one wavelength the frequency does not depend on amplitude, as in theory.",
-              "critical wavelength/H", &Results::critical, root_within(theory));
+  limit.check(
+      "critical-wavelength",
+      "The critical wavelength, at which frequency does not depend on amplitude, agrees with the theory of the model.",
+      "critical wavelength/H", &Results::critical, root_within(theory));
   limit.from(water)
       .fails({.value = theory,
               .width = in_wavelengths(useful_uncertainty, theory),
-              .reason = "a property of the equations, not of the cells: the model's coefficient "
-                        "vanishes at alpha (kH)^2 = 0.2957, a wave 12 % longer than in water"})
+              .reason = "a property of the equations, not of the cells: the coefficient vanishes at alpha (kH)^2 = "
+                        "0.2957, a wave 12 % longer than in water"})
       .check("critical-wavelength-of-water",
-             "The critical wavelength, at which frequency does not depend on amplitude, equals water's 5.94 H.",
+             "The critical wavelength, at which frequency does not depend on amplitude, equals 5.94 H, the value for "
+             "water.",
              "critical wavelength/H", &Results::critical,
              Bound{.limit = 0.01,
-                   .reason = "the digits of 5.94, as the source gives it",
+                   .reason = "the printed digits of 5.94 in the source",
                    .expected = of_water,
                    .relative = true});
   limit.from(water).check(
       "critical-wavelength-with-weight",
-      fmt::format("With gamma = 1/15 and the weight s = {:.3f} the critical wavelength equals water's.",
-                  like_water().weight_exponent),
+      fmt::format(
+          "The critical wavelength with gamma = 1/15 and the weight s = {:.3f} equals 5.938 H, the value for water.",
+          like_water().weight_exponent),
       "critical wavelength/H", &Results::critical_with_weight, root_within(of_water));
   limit.check(
       "no-critical-wavelength",
-      "The added energy with the weight s = 2 leaves no critical wavelength: the frequency rises with amplitude at all "
-      "of them.",
-      "smallest C is above its uncertainty",
+      "The coefficient C with additional energy of weight s = 2 is positive at all wavelengths of 4 to 12 H: no "
+      "critical wavelength exists.",
+      "the smallest C exceeds its uncertainty",
       [least = fine.uncertainty()](const Results& r) {
         const double smallest = r.smallest();
         return std::isnan(smallest) ? smallest : smallest > least ? 1.0 : 0.0;
       },
-      Qualitative{.detector = "sign of the measured coefficient at wavelengths of 4 to 12 depths",
+      Qualitative{.detector = "sign of the measured coefficient at wavelengths of 4 to 12 H",
                   .reason = "the energy of slopes stiffens crests more than it softens troughs"});
-  limit.check("with-gamma", "With the added energy too, the coefficient agrees with theory.",
-              "largest deviation of C, wavelengths of 4 to 12 depths", &Results::deviation,
+  limit.check("with-gamma", "The coefficient C with additional energy agrees with theory at wavelengths of 4 to 12 H.",
+              "largest deviation of C, wavelengths of 4 to 12 H", &Results::deviation,
               Bound{uncertainty, "a quarter of (k s)^4 of the coarser box"});
 }
 
@@ -273,7 +278,7 @@ Results compute(const Run& run) {
 
 void tabulate(const Results& r, evidence::Exhibit& exhibit) {
   evidence::Table& table = add_table(exhibit, "coefficients", "Change of frequency with amplitude",
-                                     "C of Frank's model, measured and in theory, and of water.",
+                                     "C of Frank's model, measured and theoretical, and of water.",
                                      {"k H", "wavelength/H", "measured", "theory", "Tadjbakhsh and Keller"});
   for (std::size_t k = 0; k < judged_depths.size(); ++k) {
     const double kh = judged_depths[k];
@@ -284,12 +289,11 @@ void tabulate(const Results& r, evidence::Exhibit& exhibit) {
 
 /// Coefficients over wavelengths: lines, what was measured, and the critical wavelengths.
 void draw_coefficients(const Results& r, evidence::Exhibit& exhibit) {
-  auto& panel = add_panel(exhibit, "coefficient", "How the frequency of standing waves depends on amplitude",
-                          "Coefficient of $(a/H)^2$ in the relative change of frequency, over the wavelength. Lines "
-                          "are theory, circles are measured, vertical lines the critical wavelengths, 5.938 depths "
-                          "in water and 6.671 in the model.",
-                          {.x = "wavelength/H", .y = "C", .x_min = 3.4, .x_max = 13, .y_min = -0.4, .y_max = 0.6},
-                          {"frank-standing"});
+  auto& panel = add_panel(
+      exhibit, "coefficient", "Dependence of the standing-wave frequency on amplitude",
+      "Coefficient of $(a/H)^2$ in the relative change of frequency, over the wavelength. Lines are theory, circles "
+      "are measured, vertical lines the critical wavelengths, 5.938 H in water and 6.671 H in the model.",
+      {.x = "wavelength/H", .y = "C", .x_min = 3.4, .x_max = 13, .y_min = -0.4, .y_max = 0.6}, {"frank-standing"});
   const std::vector<double> lengths = evenly(3.4, 13, 193);
   const auto line = [&](const std::string& label, Role role, const auto& correction) {
     panel.line(label, lengths, each(lengths, [&](double length) { return correction(2 * pi / length); }), role);
@@ -333,17 +337,17 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 }  // namespace
 
 void standing_1d(Case& c) {
-  c.title = "The frequency of standing waves depends on their amplitude: the dispersive shallow-water model";
+  c.title = "Frequency of standing waves against amplitude: dispersive shallow-water model";
   c.source = literature::frank + ", section 3.3; I. Tadjbakhsh, J. B. Keller, J. Fluid Mech. 8 (1960) 442";
   c.parameters = {
-      real("wavenumber", 0.6, "1/H", {0.2, 6}, "of the wave; the walls are half a wavelength apart"),
+      real("wavenumber", 0.6, "1/H", {0.2, 6}, "wavelength; the walls are half a wavelength apart"),
       real("amplitude", 0.02, "H", {1e-3, 0.3}, "of the first harmonic of the elevation"),
-      real("h", 0.05, "H", {1e-3, 1}, "of the markers; changed to fit a whole number of times between the walls"),
+      real("h", 0.05, "H", {1e-3, 1}, "node spacing; adjusted to fit a whole number of times between the walls"),
       real("tau", 0.02, "sqrt(H/g)", {1e-4, 1}, "time step"),
       choice("scheme", "one_step", {"one_step", "one_step_feedback", "conservative"}, "time stepping"),
       real("alpha", 1.0 / 3, "1", {1e-3, 10}, "factor of the vertical kinetic energy"),
-      real("gamma", 0.0, "1", {0, 10}, "factor of the added energy of slopes; below alpha"),
-      real("depth_power", 2.0, "1", {-10, 10}, "s: that energy is weighted with the depth to this power"),
+      real("gamma", 0.0, "1", {0, 10}, "factor of the additional energy of slopes; below alpha"),
+      real("depth_power", 2.0, "1", {-10, 10}, "s: weight of that energy, as a power of the depth"),
       integer("cells", {24, 48, 96}, {8, 1000}, "of the coarser of the two boxes of the extrapolation"),
       real("periods", {10.0, 20.0, 20.0}, "1", {2, 1000}, "length of the series"),
   };

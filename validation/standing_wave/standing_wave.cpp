@@ -1,18 +1,17 @@
 /*
-Water sloshes between two walls, half a wavelength apart or a multiple of it. Tadjbakhsh and Keller's expansion gives
-the surface and the potential to second order in the amplitude and the frequency to third:
+Water oscillates between two walls, half a wavelength or a multiple of it apart. Tadjbakhsh and Keller's expansion gives
+surface and potential to second order in the amplitude and the frequency to third:
 
 $$\frac{\omega}{\sqrt{gk}} = w + \tfrac12 (k a)^2 \omega_2, \qquad
 \omega_2 = \frac{9 w^{-7} - 12 w^{-3} - 3 w - 2 w^5}{32}, \qquad w = \sqrt{\tanh kh}.$$
 
-In deep water higher waves are slower, in shallow water faster; the sign changes at $kh = 1.05809$, where the wavelength
-is 5.93822 depths.
+In deep water higher waves are slower, in shallow water faster; the sign changes at $kh = 1.05809$, $L/h = 5.93822$.
 
-**What is compared.** The case shows the frequency correction and the surface. It scores others: start from the surface
-at rest at its highest (the template's `t = 0`), submit the elevation at the wall and the angular frequency.
+**What is compared.** The case shows the frequency correction and the surface. It accepts external results: start from
+rest at maximum elevation (the template's `t = 0`), submit the elevation at the wall and the angular frequency.
 
-**What to look at.** The limits follow from this wave: they let neither linear theory pass, nor a tank that is a
-fiftieth too shallow. One amplitude tells little of the frequency, since the linear one carries an error of its own:
+**What to look at.** The limits follow from this wave: they exclude linear theory, and a depth 2 % too small. One
+amplitude is insufficient for the frequency correction, since the linear frequency has a numerical error of its own:
 score two amplitudes and compare the difference of frequencies with the references.
 */
 #include <algorithm>
@@ -41,9 +40,8 @@ void show(const exact::StandingWave& wave, const Values& /*values*/, evidence::E
   exhibit.measure("frequency", wave.frequency());
   exhibit.measure("critical_depth", exact::StandingWave::critical_depth());
   const std::vector<double> x = evenly(0, std::numbers::pi / wave.wavenumber(), 201);
-  auto& panel =
-      add_panel(exhibit, "surface", "Half a wavelength at five instants",
-                "From the highest surface at the left wall to the lowest.", {.x = "x [m]", .y = "elevation [m]"});
+  auto& panel = add_panel(exhibit, "surface", "Half a wavelength at five instants",
+                          "From maximum to minimum elevation at the left wall.", {.x = "x [m]", .y = "elevation [m]"});
   for (const double phase : {0.0, 0.125, 0.25, 0.375, 0.5}) {
     std::vector<double> eta = each(x, [&](const double at) { return wave.elevation(at, phase * wave.period()); });
     panel.line(phase == 0 ? "t = 0" : phase == 0.5 ? "half a period" : "", x, eta, Role::exact);
@@ -82,9 +80,9 @@ std::vector<WantedTable> wanted(const Values& values) {
   const double limit = std::max(0.5 * sharpness.linear, drawn) + sharpness.neglected;
   const double useful = std::max(sharpness.linear, 2 * drawn);
   const std::string reason = fmt::format(
-      "half of what separates the theory from the linear wave, {:.2g}, but not less than a hundredth, three times what "
-      "straight lines between forty points a period lose; and what the expansion neglects, the pressure at its "
-      "surface, {:.2g}. Beyond {:.2g} it says nothing",
+      "half of the difference of theory and linear wave, {:.2g}, at least 0.01, three times the error of linear "
+      "interpolation between forty points per period; and the error of the expansion, the pressure at its surface, "
+      "{:.2g}. Inconclusive beyond {:.2g}",
       sharpness.linear, sharpness.neglected, useful);
   // Of a phase that drifts evenly the mean square is a third of the last.
   const double drift = std::numbers::sqrt3 / (2 * std::numbers::pi * periods);
@@ -105,21 +103,19 @@ std::vector<WantedTable> wanted(const Values& values) {
        .points = [times](double) { return times; },
        .exact = {fmt::format("{} --grid x=0,t=0:{:.17g}:{}", command, end, times.size())}},
       {.name = "numbers",
-       .quantities = {{.column = {"omega", "1/s", "angular frequency"},
-                       .reference = [wave](Place) { return wave->frequency(); },
-                       .requirements =
-                           {{.measure = Measure::value,
-                             .criterion =
-                                 Bound{.limit = Amount::at_most(drift * limit, drift * useful),
-                                       .reason =
-                                           "a frequency that drifts by as much as the elevation at the wall may be "
-                                           "wrong: the root mean square of 2 pi (periods) d/sqrt(3) over the series; " +
-                                           reason,
-                                       .expected = wave->frequency(),
-                                       .relative = true},
-                             .text = "The frequency agrees with finite-amplitude theory within the drift that the "
-                                     "limit of the elevation allows.",
-                             .source = source}}}},
+       .quantities =
+           {{.column = {"omega", "1/s", "angular frequency"},
+             .reference = [wave](Place) { return wave->frequency(); },
+             .requirements = {{.measure = Measure::value,
+                               .criterion = Bound{.limit = Amount::at_most(drift * limit, drift * useful),
+                                                  .reason = "a frequency whose drift equals the elevation limit: the "
+                                                            "rms of 2 pi (periods) d/sqrt(3) over the series;  " +
+                                                            reason,
+                                                  .expected = wave->frequency(),
+                                                  .relative = true},
+                               .text = "The frequency agrees with finite-amplitude theory within the drift that the "
+                                       "limit of the elevation allows.",
+                               .source = source}}}},
        .exact = {command + " --integrals"}}};
 }
 
@@ -130,10 +126,10 @@ void standing_wave(Case& c) {
   c.source = "I. Tadjbakhsh, J. B. Keller, Standing surface waves of finite amplitude, J. Fluid Mech. 8 (1960) 442";
   c.parameters = {
       real("amplitude", 0.05, "m", {1e-12, 1e6}, "first-order coefficient of cos k x"),
-      real("wavelength", 2 * std::numbers::pi, "m", {1e-6, 1e6}, "wavelength: the walls are half of it apart"),
+      real("wavelength", 2 * std::numbers::pi, "m", {1e-6, 1e6}, "wavelength; the walls are half a wavelength apart"),
       real("depth", 1.0, "m", {1e-6, 1e6}, "depth at rest"),
       real("gravity", 9.81, "m/s^2", {1e-6, 1e6}, "acceleration of gravity"),
-      real("periods", 5.0, "1", {1, 1e3}, "periods of the series that is asked for"),
+      real("periods", 5.0, "1", {1, 1e3}, "length of the requested series in periods"),
   };
   c.study = exact_study<wave_of, show>(source);
   c.submission = {.tables = wanted};

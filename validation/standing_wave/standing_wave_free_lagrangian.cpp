@@ -1,23 +1,22 @@
 /*
-A standing wave in a tank, computed by three discrete models of the same fluid: the Lagrangian mesh of quadrilaterals
-(Frank 1994, chapter 2), Dirichlet cells that keep their areas (5.2), and particles of variable mass whose nodes are
-drawn back to their places (5.3). Depth, gravity and density are 1; the tank is three depths long and holds half a wave.
+A standing wave in a tank, computed with three discrete models of the same fluid: the Lagrangian mesh of quadrilaterals
+(Frank 1994, chapter 2), Dirichlet cells of constant area (5.2), and variable-mass particles whose nodes are drawn back
+to their positions (5.3). Depth, gravity and density are 1; the tank is 3 long and contains half a wavelength.
 
-**Set-up.** The water starts flat, with the velocities of the linear wave. Meshes of square cells, staggered rows for
-the two models of Dirichlet cells; without stabilisation of the pressure, and with.
+**Set-up.** The surface starts flat, with the velocities of the linear wave. Meshes of square cells, staggered rows for
+the two models of Dirichlet cells; without and with pressure stabilisation.
 
-**What is compared.** For a small wave, the period with the linear wave on ever finer meshes, and the *noise*:
-the largest kinetic energy outside the linear wave's velocity field, over the kinetic energy of the beginning. For a
-wave of a tenth of the depth, how long a model lasts, up to `periods`.
+**What is compared.** For a small wave, the period with the linear wave on a sequence of meshes, and the *noise*: the
+maximum kinetic energy outside the velocity field of the linear wave, over the initial kinetic energy. For a/h = 0.1,
+the time that a model lasts, up to `periods`.
 
-**What to look at.** The source says that the motion of Dirichlet cells, which is not the water's, costs quality. The
-frequency does not show it: it is of second order everywhere. The noise does: without stabilisation it is many times the
-noise of the quadrilaterals and does not fall with the mesh. High waves end it: nothing restores the place of a node in
-its cell, and after about a period a triangle of the outline inverts. The quadrilaterals, here without the force that
-keeps them from tangling, last for nearly five. Particles of variable mass last. Where their nodes follow the water and
-are drawn back, the energy of the motion goes into short waves after a few periods, on finer meshes too. Nodes that keep
-their $x$, here on twice as many rows, hand over more water at every step, and lose about a hundredth of the energy in
-ten periods.
+**What to look at.** The source states that the spurious motion of Dirichlet cells costs accuracy. The frequency does
+not show it: it converges at second order everywhere. The noise does: without stabilisation it is many times the noise
+of the quadrilaterals and does not fall with the mesh. High waves end the run: no force restores the position of a node
+in its cell, and after about one period a triangle of the outline inverts. The quadrilaterals, here without hourglass
+force, last for nearly five periods. Variable-mass particles complete. Where their nodes follow the water and are drawn
+back, the energy of the motion passes into short waves after a few periods, on finer meshes too. Nodes of constant $x$,
+here on twice as many rows, exchange more water per step, and lose about 1 % of the energy in ten periods.
 */
 #include <array>
 #include <cmath>
@@ -222,10 +221,10 @@ RefinementStudy study(const std::string& what) {
     s.quantities.push_back(
         {.id = kind.id,
          .name = std::string(kind.name),
-         .statement = fmt::format("{}: the {} is of second order.", kind.name, what),
+         .statement = fmt::format("The {1} converges at second order ({0}).", kind.name, what),
          .order = Order{2, noisy ? 0.5 : 0.3,
-                        noisy ? "cells of regular rows: second order; the noise of the cells is in the series that the "
-                                "frequency is fitted to, and hardly falls with the mesh"
+                        noisy ? "cells of regular rows: second order; the series from which the frequency is fitted "
+                                "contains the noise of the cells, which hardly falls with the mesh"
                               : "cells of regular rows, and steps in proportion: second order"}});
   }
   return s;
@@ -238,21 +237,23 @@ void claims(const Values& values, const Claims<Results>& claims) {
   }
   study("period").claim_orders(
       claims.of(&Results::period)
-          .only_if(rows.size() >= 6, "on fewer meshes the scatter of their errors leaves the order open: ny = 24"));
+          .only_if(rows.size() >= 6, "on fewer meshes the scatter of errors leaves the order undetermined: ny = 24"));
   const std::string finest = fmt::format("{} rows, a = {:g}", rows.back(), small_amplitude);
   claims.at(finest)
       .from("Frank (1994), 5.2, in words")
       .check(
-          "noise", "Dirichlet cells without stabilisation are noisier than quadrilaterals.",
+          "noise",
+          "The noise of Dirichlet cells without stabilisation exceeds three times the noise of quadrilaterals.",
           "noise over the noise of the quadrilaterals",
           [](const Results& r) { return r.noise.finest(of_dirichlet) > 3 * r.noise.finest(of_quadrilaterals); },
-          Qualitative{"more than three times", "the cells move other than the water, which costs quality"});
+          Qualitative{"more than three times",
+                      "the motion of the cells differs from the motion of the water, which costs accuracy"});
   const auto falls = [&](const std::string& id, const std::string& text, std::size_t kind, bool expected) {
     claims.at(fmt::format("{} and {} rows", rows.back() / 2, rows.back()))
         .check(
             "noise-falls-" + id, text, "noise over the noise of half as many rows",
             [kind](const Results& r) { return r.noise_ratio(kind) <= 0.5; },
-            Qualitative{"at most a half: of first order or more", "what is left of a discretisation vanishes with it",
+            Qualitative{"at most a half: first order or higher", "a discretisation error vanishes with the cell size",
                         expected});
   };
   falls("quadrilaterals", "The noise of quadrilaterals falls with the mesh.", of_quadrilaterals, true);
@@ -266,63 +267,64 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const auto lasts = [periods](std::size_t kind) {
     return [kind, periods](const Results& r) { return std::min(r.life.at(kind).lasted, periods); };
   };
-  const Bound whole{.limit = 1e-9, .reason = "the periods that were asked for", .expected = periods};
+  const Bound whole{.limit = 1e-9, .reason = "the requested periods", .expected = periods};
   const auto claim = [](const std::string& id, const std::string& text) {
     return evidence::Claim{"life-" + id, text, "periods until it breaks down", "1", source};
   };
-  life.only_if(controlled, "nodes on the surface that nothing draws back collide")
+  life.only_if(controlled, "surface nodes without a restoring force collide")
       .check(claim("variable-mass",
-                   "The high wave with variable-mass particles lasts for all periods that were asked for, to 1e-9."),
+                   "The run of the high wave with variable-mass particles completes the requested periods, to 1e-9."),
              lasts(of_variable), whole);
   const auto fixed = claims.at(fmt::format("{} rows, a = {:g}", rows_of(of_fixed), amplitude));
   const auto at_fixed_x =
       fixed.only_if(amplitude <= 0.1 && values.real("surface_rate") >= 1 && values.real("rate") >= 1,
-                    "higher waves end it where the surface is steepest, as weaker control does");
-  at_fixed_x.check(claim("variable-mass-fixed",
-                         "The high wave with variable-mass particles whose nodes keep their x lasts for all periods "
-                         "that were asked for, to 1e-9."),
-                   lasts(of_fixed), whole);
-  at_fixed_x.only_if(periods <= 10, "what is lost grows with time")
+                    "with higher waves, or weaker control, the model breaks down where the surface is steepest");
+  at_fixed_x.check(
+      claim(
+          "variable-mass-fixed",
+          "The run of the high wave with variable-mass particles at fixed x completes the requested periods, to 1e-9."),
+      lasts(of_fixed), whole);
+  at_fixed_x.only_if(periods <= 10, "the loss grows with time")
       .check(
-          "loss-of-life", "Variable-mass particles lose less than a tenth of the energy of the motion.",
+          "loss-of-life", "The energy loss of variable-mass particles is below 10 % of the initial kinetic energy.",
           "energy lost over kinetic energy at the start", [](const Results& r) { return r.life.at(of_fixed).lost; },
-          Bound{.limit = 0.1,
-                .reason = "the amplitude, to be told from the exact wave's by no more than its second order, a/2H = 5 "
-                          "%, after ten periods"});
+          Bound{.limit = 0.1, .reason = "5 % of the amplitude, its second-order term a/2H, after ten periods"});
   life.from("Frank (1994), 5.2, in words")
       .check(
           "flips",
-          "The share of triangles that local flips remake in a step is at most the way of the fastest node over the "
+          "The fraction of triangles flipped per step is at most the displacement of the fastest node over the "
           "spacing.",
-          "triangles made anew in a step over all of them",
+          "flipped triangles per step over all triangles",
           [](const Results& r) { return r.life.at(of_dirichlet).remade; },
           Bound{.limit = courant_of_life * amplitude * frequency() / std::tanh(k),
-                .reason = "the way of the fastest node in a step over the spacing: it passes a neighbour, which a flip "
-                          "tells, once in as many steps at most"});
+                .reason = "displacement of the fastest node per step over the spacing: the maximum rate at which it "
+                          "passes a neighbour, which causes a flip"});
   const Bound one_wave{.limit = 0.05,
                        .reason =
-                           "harmonics of a wave of a = 0.1 have velocities of order a/H over the wave's: a hundredth "
-                           "of its energy, and of meshes of eight rows a few more"};
+                           "harmonics of a wave of a/H = 0.1 have relative velocities of order a/H: 1 % of its energy, "
+                           "and a few per cent on meshes of eight rows"};
   at_fixed_x.only_if(periods <= 10, "the noise grows with time")
       .check(
-          "noise-of-life-fixed", "The motion of nodes at fixed x stays a single wave's.",
+          "noise-of-life-fixed",
+          "The kinetic energy outside the single wave, with variable-mass particles at fixed x, is below the limit.",
           "largest noise of particles of variable mass at fixed x",
           [](const Results& r) { return largest(r.life.at(of_fixed).noise); }, one_wave);
   life.only_if(amplitude == 0.1 && periods == 10, "the noise grows with height and time")
-      .fails({.value = 0.2,
-              .width = 0.1,
-              .reason = "nodes of the surface that slide back and water that is handed over feed short waves"})
+      .fails(
+          {.value = 0.2, .width = 0.1, .reason = "surface nodes sliding back and exchanged water excite short waves"})
       .check(
-          "noise-of-life", "The motion of the high wave stays a single wave's.",
+          "noise-of-life",
+          "The kinetic energy outside the single wave, with variable-mass particles, is below the limit for the high "
+          "wave.",
           "largest noise of particles of variable mass",
           [](const Results& r) { return largest(r.life.at(of_variable).noise); }, one_wave);
-  life.only_if(amplitude == 0.1 && periods >= 3, "how long Dirichlet cells last depends on the height of the wave")
+  life.only_if(amplitude == 0.1 && periods >= 3, "the life of Dirichlet cells depends on the wave height")
       .fails({.value = 1.12,
               .width = 0.2,
-              .reason = "nothing restores the place of a node in its cell: the instability is the model's, not the "
-                        "time step's, and a triangle of the outline inverts within a quarter period"})
+              .reason = "no force restores the position of a node in its cell: the instability belongs to the model, "
+                        "not to the time step; a triangle of the outline inverts after about one period"})
       .check(claim("dirichlet",
-                   "The high standing wave with Dirichlet cells lasts for all periods that were asked for, to 1e-9."),
+                   "The run of the high standing wave with Dirichlet cells completes the requested periods, to 1e-9."),
              lasts(of_dirichlet), whole);
 }
 
@@ -361,9 +363,9 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   study("period").draw(r.period, figure.panel({.x = "rows", .y = "|T/T_0 - 1|", .log_x = true, .log_y = true}));
   study("noise").draw(r.noise, figure.panel({.x = "rows", .y = "noise", .log_x = true, .log_y = true}));
   study("period").tabulate(r.period, exhibit);
-  auto& life = exhibit.figure("life", "A wave of a tenth of the depth",
-                              "Elevation at the left wall by the mode, and noise, until a model breaks down.",
-                              {"frank-dirichlet"});
+  auto& life =
+      exhibit.figure("life", "Wave of a/h = 0.1",
+                     "Modal elevation at the left wall, and noise, until a model breaks down.", {"frank-dirichlet"});
   auto& waves = life.panel({.x = "t/T_0", .y = "amplitude/a"});
   auto& noises = life.panel({.x = "t/T_0", .y = "noise"});
   const std::vector<Kind> all = kinds_of_life();
@@ -389,7 +391,7 @@ void standing_wave_free_lagrangian(Case& c) {
       real("periods", {4.0, 10.0, 10.0}, "1", {1, 50}, "of the high wave"),
       choice("control", "mapped", {"none", "centroid", "mapped", "fixed_x"}, "of the nodes of variable mass"),
       real("rate", 1.0, "sqrt(g/depth)", {0, 10}, "of the control"),
-      real("surface_rate", 1.0, "sqrt(g/depth)", {0, 10}, "at which nodes of the surface slide back"),
+      real("surface_rate", 1.0, "sqrt(g/depth)", {0, 10}, "rate at which surface nodes slide back"),
   };
   c.published = {{.tiles = {"frank-dirichlet"}}};
   c.study = Study(claims, compute, show, source);

@@ -3,23 +3,23 @@ The frequency of a standing wave depends on its amplitude $a$. In water of depth
 
 $$\Omega = \omega\,\bigl(1 + C\,(a/H)^2\bigr),$$
 
-and $C$ changes sign: higher waves are faster in shallow water and slower in deep water. Tadjbakhsh and Keller's theory
-puts the change at the wavelength $5.938\,H$. The two-dimensional Lagrangian mesh solves the full equations, so it must
-have the effect with water's own coefficient, up to errors of the mesh.
+and $C$ changes sign: frequency rises with amplitude in shallow water and falls in deep water. In Tadjbakhsh and
+Keller's theory the change is at the wavelength $5.938\,H$. The two-dimensional Lagrangian mesh solves the full
+equations and must therefore reproduce the coefficient, up to mesh errors.
 
-**Set-up.** Half a wavelength between two walls, depth and gravity 1, cells of nearly equal width and height. The wave
-starts at rest, at its highest, with its second harmonic. A weak hourglass potential keeps the mesh from tangling (see
-`standing_wave_mesh_life`). The elevations are projected on $\cos kx$ of the labels; harmonics fitted to the series give
-$\Omega$. The elevation at a wall would not do: it holds free second harmonics, which at ten depths beat with the bound
-one and shift the fit by as much as $C$.
+**Set-up.** Half a wavelength between two walls, depth and gravity 1, nearly square cells. The wave starts from rest at
+maximum elevation, with its second harmonic. A weak hourglass potential keeps the mesh from tangling (see
+`standing_wave_mesh_life`). Elevations are projected on $\cos kx$ of the labels; harmonics fitted to the series give
+$\Omega$. The elevation at a wall is unsuitable: it contains free second harmonics, which at L/H = 10 beat with the
+bound one and shift the fit by as much as $C$.
 
 **What is compared.** First the wave of the parameters, relative to smaller ones on the same mesh. Then the coefficient
 for five wavelengths on two meshes: the limit of small amplitude from $a/H = 0.01$, 0.02 and 0.04, and the limit of fine
-meshes, extrapolated in the square of the cells' size. The critical wavelength is the root of that coefficient.
+meshes, extrapolated in the square of the cell size. The critical wavelength is the root of that coefficient.
 
-**What to look at.** Eight rows of cells have the right sign and the right size: the error is a quarter of $C$ at four
-depths, 3 per cent at ten. Sixteen rows have a third to a quarter of that error. The extrapolated coefficients lie on
-Tadjbakhsh and Keller's line, where the one-dimensional dispersive model has its root 12 per cent further on.
+**What to look at.** Eight rows give the right sign and magnitude: the error is a quarter of $C$ at L/H = 4, 3 % at 10.
+Sixteen rows have a third to a quarter of that error. The extrapolated coefficients lie on Tadjbakhsh and Keller's
+curve; the root of the one-dimensional dispersive model is 12 % higher.
 */
 #include <array>
 #include <cmath>
@@ -69,8 +69,8 @@ Bound coarse_bound(double wavelength) {
   const double theory = in_water(wavelength);
   return {.limit = std::abs(theory) > 0.1 ? 0.3 * std::abs(theory) : 0.1,
           .reason =
-              "30 per cent, 0.1 where C nearly vanishes: C is a difference of larger terms of second order, and eight "
-              "rows change each by some ten per cent: (2kh)^2 of the second harmonic is 0.15 at four depths",
+              "30 %, 0.1 where C nearly vanishes: C is a difference of larger second-order terms, and eight rows "
+              "change each by some 10 %: (2kh)^2 of the second harmonic is 0.15 at L/H = 4",
           .expected = theory};
 }
 
@@ -212,11 +212,11 @@ void claim_coefficients(const Claims<Coefficients>& claims, std::size_t finest) 
     const double wavelength = wavelengths[i];
     const std::string id = fmt::format("{:.0f}", 100 * wavelength);
     claims.at(fmt::format("{} rows, a -> 0", finest / 2))
-        .only_if(finest >= 16, "the bound is for eight rows or more")
+        .only_if(finest >= 16, "the bound holds for eight rows or more")
         .check(
             "mesh-" + id,
-            fmt::format("The coefficient of the coarser mesh at wavelength L/h = {:g} agrees with theory within 30 %, "
-                        "or 0.1 where it nearly vanishes.",
+            fmt::format("The coefficient C of the coarser mesh at wavelength L/h = {:g} agrees with theory within 30 "
+                        "%, or 0.1 where it nearly vanishes.",
                         wavelength),
             "C = (Omega/omega - 1)/(a/H)^2", [i](const Coefficients& c) { return c.coarse.at(i); },
             coarse_bound(wavelength));
@@ -233,9 +233,9 @@ void claim_coefficients(const Claims<Coefficients>& claims, std::size_t finest) 
             Uncertainty{
                 .expected = in_water(wavelength),
                 .useful = 0.5 * coarse_bound(wavelength).limit.value(),
-                .reason = "the uncertainty is what the extrapolation in the square of the cells' size adds to the "
-                          "finer mesh's value, since the terms it leaves are smaller; and what the second half of the "
-                          "series changes. Beyond half of what eight rows may be off it tells nothing"});
+                .reason = "the uncertainty is the increment of the extrapolation in the square of the cell size over "
+                          "the finer mesh, since the remaining terms are smaller; and the change by the second half of "
+                          "the series. Inconclusive beyond half of the limit for eight rows"});
   }
 }
 
@@ -246,8 +246,8 @@ void claim_root(const Claims<Coefficients>& claims, std::size_t finest) {
   claims.at(fmt::format("{} and {} rows, extrapolated", finest / 2, finest))
       .check(
           "critical-wavelength",
-          "The wavelength at which the coefficient changes sign agrees with theory within its expanded uncertainty, "
-          "0.3 H at most.",
+          "The critical wavelength, at which the coefficient changes sign, agrees with theory within its expanded "
+          "uncertainty, 0.3 H at most.",
           "critical wavelength/H",
           [slope, interpolation](const Coefficients& c) -> Measurement {
             return {.value = root_of(c.limit),
@@ -255,9 +255,9 @@ void claim_root(const Claims<Coefficients>& claims, std::size_t finest) {
           },
           Uncertainty{.expected = exact,
                       .useful = 0.3,
-                      .reason = "uncertainty of C at 5.94 depths over the slope of C there, and the error that the "
-                                "interpolation makes with the theory's own values. Useful while it tells water from "
-                                "the one-dimensional dispersive model, whose root is 0.7 further on"});
+                      .reason = "uncertainty of C at L/H = 5.94 over the slope of C there, and the interpolation error "
+                                "of the theoretical values. Conclusive while it separates water from the "
+                                "one-dimensional dispersive model, whose root is larger by 0.7"});
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
@@ -266,7 +266,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
       .at(fmt::format("{} x {} cells, tau = {:g}, a/H = {:g}", tank.columns, tank.rows, tank.tau,
                       values.real("amplitude")))
       .check(
-          "frequency-shift", "The frequency of the wave of the parameters changes with its amplitude as in theory.",
+          "frequency-shift", "The amplitude coefficient C of the wave of the parameters agrees with theory.",
           "C = (Omega/omega - 1)/(a/H)^2", [](const Results& r) { return r.own.shift; },
           coarse_bound(values.real("wavelength")));
   claim_coefficients(claims.of(&Results::coefficients), finest_rows(values));
@@ -284,7 +284,7 @@ void tabulate(evidence::Exhibit& exhibit, const Coefficients& c, std::size_t fin
 }
 
 void draw_coefficients(evidence::Exhibit& exhibit, const Coefficients& c, std::size_t finest) {
-  auto& figure = exhibit.figure("coefficient", "How the frequency of standing waves depends on amplitude",
+  auto& figure = exhibit.figure("coefficient", "Dependence of the standing-wave frequency on amplitude",
                                 "Coefficient of $(a/H)^2$ in the relative change of frequency, in the limit of small "
                                 "amplitude. The vertical line is the measured critical wavelength.");
   auto& coefficient =
@@ -330,13 +330,13 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 
 void standing_wave_mesh(Case& c) {
   c.former_names = {"standing_wave_2d"};
-  c.title = "The frequency of standing waves depends on their amplitude: the Lagrangian mesh";
+  c.title = "Frequency of standing waves against amplitude: Lagrangian mesh";
   c.source = "I. Tadjbakhsh, J. B. Keller, Standing surface waves of finite amplitude, J. Fluid Mech. 8 (1960) 442; " +
              literature::frank + ", chapter 2";
   c.parameters = {
-      real("wavelength", 10.0, "H", {1, 100}, "of the wave; the walls are half of it apart"),
+      real("wavelength", 10.0, "H", {1, 100}, "wavelength; the walls are half a wavelength apart"),
       real("amplitude", 0.05, "H", {1e-3, 0.5}, "first-order coefficient of cos kx"),
-      real("h", 0.125, "H", {1e-2, 2}, "width of columns; changed to fit a whole number of times between the walls"),
+      real("h", 0.125, "H", {1e-2, 2}, "column width; adjusted to fit a whole number of times between the walls"),
       integer("rows", 8, {1, 200}, "of cells"),
       real("tau", 0.02, "sqrt(H/g)", {1e-4, 1}, "time step"),
       real("hourglass", 0.02, "1", {0, 10}, "factor of the hourglass potential"),

@@ -1,23 +1,22 @@
 /*
-A Lagrangian mesh does not live for ever. Some motions of its nodes change no cell's area, so they meet no force:
-vortices, down to the hourglass motion $(-1)^{i+j}$. Standing waves feed them a little in every period, until a cell's
-corner inverts. Frank's model (1994, chapter 2) stops there. This case shows when and where, that the time step has no
-part in it, and what helps.
+A Lagrangian mesh has a finite life. Some motions of its nodes change no cell area and meet no force: vortices, down to
+the hourglass motion $(-1)^{i+j}$. Standing waves excite them in every period, until a cell corner inverts and Frank's
+model (1994, chapter 2) stops. The case shows when and where, that the time step is not the cause, and two remedies.
 
-**The remedy.** A conservative hourglass potential, $\tfrac12\kappa \sum |r_0 - r_1 + r_2 - r_3 - \text{initial}|^2$
-over the cells, $\kappa = \kappa_0\,\rho g\sqrt{h_1h_2}$. It vanishes for parallelograms: its effect on waves tends to
-zero with the cells' size. Another one needs no force: columns that lean are put upright again (`run_up_mesh_rezoned`).
+**The remedies.** A conservative hourglass potential, $\tfrac12\kappa \sum |r_0 - r_1 + r_2 - r_3 - \text{initial}|^2$
+over the cells, $\kappa = \kappa_0\,\rho g\sqrt{h_1h_2}$, vanishes for parallelograms: its effect on waves tends to zero
+with the cell size. Rezoning needs no force: tilted columns become vertical again (`run_up_mesh_rezoned`).
 
-**Set-up.** A tank of six depths, half a wavelength. The water starts from rest with the elevation $a\cos(\pi x/6)$.
+**Set-up.** A tank of $L/2 = 6$, half a wavelength. The water starts from rest with the elevation $a\cos(\pi x/6)$.
 
-**What is compared.** Without the potential: the time of tangling for two time steps and both schemes. With it: the run
-goes on; the energy of the one-step scheme stays within the band that its modified energy allows, $(\omega\tau)^2/4$ of
-itself for small waves. The potential's effect on the wave's frequency is compared with the error that the mesh has
-without it. With rezoning: the run goes on; what it takes from the wave's energy.
+**What is compared.** Without the potential: the time of tangling for two time steps and both schemes. With it: whether
+the run completes; the energy of the one-step scheme with the band of its modified energy, a fraction $(\omega\tau)^2/4$
+for small waves; the change of the wave frequency with the error of the mesh without the potential. With rezoning:
+whether the run completes; the energy that rezoning takes from the wave.
 
-**What to look at.** The worst corner falls ever faster from 1 to 0: the surface nodes drift along the row below them.
-With the potential it stays where the wave moves it. The energy says nothing: it is as good one step before it tangles
-as at the beginning. Watch the corners.
+**What to look at.** The relative Jacobian of the worst corner falls at a growing rate from 1 to 0, as surface nodes
+drift along the row below them. With the potential it oscillates with the wave. The energy is no indicator: one step
+before tangling it is as accurate as at the start. Monitor the corners.
 */
 #include <algorithm>
 #include <array>
@@ -186,28 +185,28 @@ Results compute(const Run& run) {
 /// Frank's model: the tangle, and that it is not the time step's.
 void claim_tangle(const Claims<Wave>& claims, const Values& values, double amplitude, const std::string& suffix) {
   const std::optional<KnownTangle> tangle = known_tangle(values, amplitude);
-  (tangle
-       ? claims.fails({.value = tangle->time,
-                       .width = tangle->width,
-                       .reason = "a property of the model: motions that change no cell's area meet no force and grow"})
-       : claims)
+  (tangle ? claims.fails({.value = tangle->time,
+                          .width = tangle->width,
+                          .reason = "a property of the model: motions that change no cell area meet no force and grow"})
+          : claims)
       .check(
           "carries" + suffix,
-          fmt::format("The mesh carries the wave of amplitude {:g} through the whole run without help.", amplitude),
+          fmt::format(
+              "The run of the wave of amplitude {:g} reaches its end time without hourglass potential or rezoning.",
+              amplitude),
           "end of the run [sqrt(H/g)]", [](const Wave& wave) { return wave.without.end(); },
           Bound{.limit = 1e-9,
-                .reason = "the time that was asked for, to the rounding of its steps",
+                .reason = "the requested time, to the rounding of its steps",
                 .expected = values.real("time")});
   claims
       .only_if(tangle.has_value(),
-               "only of the waves of amplitude 0.15 and 0.05 on 16 x 4 cells, tau = 0.05, it is known when they tangle "
-               "the mesh")
+               "the time of tangling is known only for amplitudes 0.15 and 0.05 on 16 x 4 cells, tau = 0.05")
       .check("not-the-step" + suffix,
-             "With half the time step, and with the conservative scheme, the mesh tangles at the same time.",
+             "The time of tangling is the same with half the time step and with the conservative scheme.",
              "largest difference of the times of tangling [sqrt(H/g)]", &Wave::spread,
              Bound{.limit = 0.1 * 2 * std::numbers::pi / tank_of(values).law().frequency(wavenumber),
-                   .reason = "a tenth of the wave's period. Were it the error of the time step, of order tau^2, half "
-                             "the step would multiply the life by four"});
+                   .reason = "a tenth of the wave period; if tangling were a time-step error of order tau^2, half the "
+                             "step would extend the life fourfold"});
 }
 
 /// With the potential: energy of the one-step scheme, and the effect on the frequency.
@@ -216,18 +215,19 @@ void claim_longer_life(const Claims<Wave>& claims, const Values& values, const s
   claims.from("Flanagan and Belytschko, Int. J. Numer. Methods Eng. 17 (1981) 679 (hourglass control)")
       .check(
           "carries-with-hourglass" + suffix,
-          fmt::format("With the hourglass potential the mesh carries the wave to t = {:g}.", values.real("time")),
+          fmt::format("The run with the hourglass potential reaches t = {:g} without tangling.", values.real("time")),
           "the mesh does not tangle", [](const Wave& wave) { return !wave.with.tangle; },
-          Qualitative{.detector = "a corner's triangle with negative area",
-                      .reason = "the potential gives those motions a frequency, so that they are no longer driven at "
-                                "zero frequency"});
+          Qualitative{.detector = "a corner triangle of negative area",
+                      .reason = "the potential gives those motions a non-zero frequency, so that they are no longer "
+                                "driven resonantly"});
   const double omega = tank_of(values).law().frequency(wavenumber);
   claims.check(
-      "energy-one-step" + suffix, "The energy of the one-step scheme stays in its band.",
+      "energy-one-step" + suffix,
+      "The energy of the one-step scheme stays within (omega tau)^2/2 of its initial value.",
       "largest error of the energy, relative", [](const Wave& wave) { return wave.with.largest_energy_error(); },
       Bound{.limit = 2 * omega * omega * tau * tau / 4,
             .reason = "twice (omega tau)^2/4: the band of small waves, whose T + Pi - (tau^2/8) u.Ku is constant, and "
-                      "as much again for the harmonics of a high wave, which are faster"});
+                      "as much again for the faster harmonics of a high wave"});
   const double mesh_error = omega / exact::AiryDispersion(1, 1).frequency(wavenumber) - 1;
   claims.from("Flanagan and Belytschko (1981); the mesh's dispersion law")
       .check("frequency-with-hourglass" + suffix,
@@ -240,26 +240,24 @@ void claim_longer_life(const Claims<Wave>& claims, const Values& values, const s
 
 /// On a mesh that is rezoned.
 void claim_rezoned(const Claims<Wave>& all, const Values& values, const std::string& suffix) {
-  const auto claims = all.only_if(can_be_rezoned(values), "a mesh that is rezoned has three columns and rows or more");
+  const auto claims = all.only_if(can_be_rezoned(values), "a rezoned mesh needs three columns and rows or more");
   const std::string hirt = "C. W. Hirt, A. A. Amsden, J. L. Cook, J. Comput. Phys. 14 (1974) 227";
   claims.from(hirt).check(
       "carries-rezoned" + suffix,
-      fmt::format("With rezoned columns the mesh carries the wave to t = {:g}.", values.real("time")),
+      fmt::format("The run with rezoned columns reaches t = {:g} without tangling.", values.real("time")),
       "the mesh does not tangle", [](const Wave& wave) { return !wave.rezoned.tangle; },
-      Qualitative{.detector = "a corner's triangle with negative area",
-                  .reason = "water under a wave of this height has a surface of one elevation at every place: upright "
-                            "columns cannot tangle"});
+      Qualitative{.detector = "a corner triangle of negative area",
+                  .reason = "the surface of a wave of this height is single-valued: vertical columns cannot tangle"});
   const double periods = values.real("time") * tank_of(values).law().frequency(wavenumber) / (2 * std::numbers::pi);
   claims.from(hirt).check(
-      "taken-by-rezoning" + suffix, "Rezoning takes at most 0.1 % of the wave's energy in a period.",
-      "energy taken over the first one, in a period",
+      "taken-by-rezoning" + suffix, "The energy taken by rezoning is at most 0.1 % of the wave energy per period.",
+      "energy taken over the initial energy, per period",
       [periods](const Wave& wave) {
         const Flow& flow = *wave.rezoned.flow;
         return wave.rezoned.tangle ? nan : flow.rezoning().lost / (flow.energy() + flow.rezoning().lost) / periods;
       },
-      Bound{
-          .limit = 0.001,
-          .reason = "a choice: at a thousandth in a period a wave has half of its energy after seven hundred periods"});
+      Bound{.limit = 0.001,
+            .reason = "a choice: at 0.1 % per period a wave retains half of its energy after 700 periods"});
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
@@ -288,8 +286,8 @@ void draw(evidence::Exhibit& exhibit, const Wave& wave, double amplitude, double
   const Life& with = wave.with;
   auto& histories =
       exhibit.figure("life" + suffix, fmt::format("Life of a mesh under a standing wave, a = {:g}", amplitude),
-                     "Left: shape of the worst corner, 1 when square, 0 when it inverts. Right: error of the energy of "
-                     "the one-step scheme, which shows nothing of it.");
+                     "Left: relative Jacobian of the worst corner, 1 when square, 0 at inversion. Right: energy error "
+                     "of the one-step scheme, which does not indicate tangling.");
   auto& corner = histories.panel({.x = "t", .y = "worst corner", .y_min = 0, .y_max = 1.02});
   auto& energy = histories.panel({.x = "t", .y = "energy error, relative"});
   const std::string label = fmt::format("hourglass potential {:g}", hourglass);
@@ -305,11 +303,11 @@ void draw(evidence::Exhibit& exhibit, const Wave& wave, double amplitude, double
   exhibit.measure("frequency" + suffix, without.frequency());
   if (!without.tangle) return;
   exhibit.measure("tangle_place" + suffix, without.tangle->place());
-  auto& meshes =
-      exhibit.figure("mesh" + suffix, fmt::format("The mesh, a = {:g}", amplitude),
-                     fmt::format("Left: without the potential, one step before a corner inverts at t = {:.2f}, x = "
-                                 "{:.2f}; the surface has drifted along the row below it. Right: with it, at t = {:g}.",
-                                 without.tangle->time(), without.tangle->place(), with.flow->time()));
+  auto& meshes = exhibit.figure(
+      "mesh" + suffix, fmt::format("The mesh, a = {:g}", amplitude),
+      fmt::format("Left: without the potential, one step before a corner inverts at t = {:.2f}, x = {:.2f}; the "
+                  "surface has drifted along the row below it. Right: with the potential, at t = {:g}.",
+                  without.tangle->time(), without.tangle->place(), with.flow->time()));
   draw_mesh(meshes.panel(mesh_axes("before it tangles")), "mesh", *without.flow);
   draw_mesh(meshes.panel(mesh_axes("with the hourglass potential")), "mesh", *with.flow);
 }
@@ -328,7 +326,7 @@ void standing_wave_mesh_life(Case& c) {
   c.source = literature::frank + ", chapter 2";
   c.tiers = {Tier::quick, Tier::full, Tier::paper};
   c.parameters = {
-      real("amplitude", 0.15, "H", {1e-3, 0.5}, "of the first elevation, a cos kx"),
+      real("amplitude", 0.15, "H", {1e-3, 0.5}, "of the initial elevation, a cos kx"),
       toggle("low_wave_too", {false, true, true}, "also a wave of a third of the amplitude"),
       integer("columns", 16, {2, 1000}, "of cells"),
       integer("rows", 4, {1, 200}, "of cells"),

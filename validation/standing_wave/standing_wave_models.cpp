@@ -1,25 +1,27 @@
 /*
-Which model should one take? A standing wave in a tank, by six models: free particles under Gauss's principle, the
-Lagrangian mesh, Dirichlet cells, particles of variable mass, the discrete dispersive shallow water in one dimension,
-and weakly compressible SPH. The standing wave of Tadjbakhsh and Keller tells how far off each is.
+Which model suits a standing wave? A standing wave in a tank, computed with six models: Gauss-principle particles, the
+Lagrangian mesh, Dirichlet cells, variable-mass particles, dispersive shallow water in one dimension, and weakly
+compressible SPH. The reference is the standing wave of Tadjbakhsh and Keller.
 
-**Set-up.** Depth, gravity and density are 1; the tank is half a wave long. All begin at rest under the highest surface.
-Free particles, mesh and cells stand between walls. SPH, whose walls are rows of particles, has the wave and its mirror
-image in a periodic box instead, of which half is looked at. Nodes of variable mass are drawn back to their places, and
-cells have a hundredth of stabilisation. Each is refined in space and time together.
+**Set-up.** Depth, gravity and density are 1; the tank is half a wavelength long. All models start from rest at maximum
+elevation. Gauss-principle particles, mesh and cells have walls. SPH, whose walls are rows of particles, has the wave
+and its mirror image in a periodic box instead, of which half is evaluated. Nodes of the variable-mass model are drawn
+back to their initial positions, and the pressure stabilisation of cells is 0.01. Each model is refined in space and
+time together.
 
-**What is compared.** Elevations with the exact ones after a period and a quarter, when the surface is nearly level and
-falls fastest, so that the phase counts in full: the root mean square over the amplitude. The exact wave is of second
-order in $e = ka$, and known to $e^2$. Then each goes on for six periods, unless it breaks down or its surface is off by
-a quarter of the amplitude.
+**What is compared.** Elevations with the exact ones after 1.25 periods, when the surface is nearly level and falls
+fastest, so that phase errors count in full: rms over the amplitude. The exact wave is second-order in $e = ka$, and
+known to $e^2$. Each model then continues for six periods, unless it breaks down or its surface is in error by a quarter
+of the amplitude.
 
-**What to look at.** Free particles are as near as the exact wave is known, on any lattice. The mesh takes a fiftieth
-of their time and is nearly as near. The energy error of the mesh comes from its steps: they make it swing by
-$(\omega\tau)^2/4$. The dispersive model ends where its equations do, five per cent off after this time, by the phase,
-and takes a millisecond. Dirichlet cells are noisy, and lose the wave within a few periods; particles of variable mass
-keep it, with short waves on it. SPH loses height, and beyond some twelve rows is no nearer on finer lattices.
+**What to look at.** The error of Gauss-principle particles equals the uncertainty of the exact wave, on any grid. The
+mesh takes a fiftieth of their time with nearly the same error. The energy error of the mesh comes from its steps: a
+swing of $(\omega\tau)^2/4$. The error of the dispersive model converges to 5 % after this time, a phase error of its
+equations, in a millisecond. Dirichlet cells are noisy and lose the wave within a few periods; variable-mass particles
+retain it, with superposed short waves. SPH loses height, and beyond some twelve particles over the depth its error no
+longer falls.
 
-**When it is no test.** Longer waves have less dispersion, and higher ones tangle the mesh after some periods
+**Limits of this test.** Longer waves have less dispersion; higher ones tangle the mesh after some periods
 (`standing_wave_mesh_life`) and break the cells at once (`standing_wave_free_lagrangian`).
 */
 #include <algorithm>
@@ -95,7 +97,7 @@ Trial trial_of(const Values& values) {
           .last = values.real("last") * wave.period(),
           .looks = std::lround(4 * values.real("last")),
           .useless = 0.25,
-          .useless_in_words = "the surface is off by a quarter of the amplitude",
+          .useless_in_words = "the surface error exceeds a quarter of the amplitude",
           .energy_scale = a * a * length / 4,
           .reference_uncertainty = std::pow(wave.wavenumber() * a, 2)};
 }
@@ -118,8 +120,8 @@ void claim_swing(const Claims<Contest>& all, const Named& model, double turn) {
                  model.name),
              "change over the energy", energy_of_finest,
              Bound{.limit = 0.1 * turn * turn / 4,
-                   .reason = "the scheme keeps K (1 - (omega tau)^2/4) + P of a linear wave, hence that swing from "
-                             "rest to a level surface; a tenth for what is not linear and not level",
+                   .reason = "the scheme conserves K (1 - (omega tau)^2/4) + P of a linear wave, hence that swing from "
+                             "rest to a level surface; a tenth for nonlinearity and the surface not being level",
                    .expected = turn * turn / 4});
 }
 
@@ -130,15 +132,15 @@ void claim_accuracy(const Claims<Contest>& all, const Values& values) {
              "The surface error of Gauss-principle particles is below (ka)^2, to which the exact wave is known.",
              "rms error of the surface over the amplitude", error_of_finest,
              Bound{.limit = trial.reference_uncertainty,
-                   .reason = "(ka)^2: the exact wave is of second order; steps and cells add less"});
+                   .reason = "(ka)^2: the exact wave is second-order; steps and cells add less"});
   claims_of(all, "mesh")
-      .only_if(values.integer("mesh") <= 16, "finer meshes are nearer to the water than the exact wave of second order")
-      .check(
-          "mesh-order", "The mesh is of second order.", "order of the rms error of the surface", &Entry::order,
-          Order{.theory = 2,
-                .tolerance = 0.4,
-                .reason = "second order in space and time; the exact wave is known to half of the error of the finest "
-                          "mesh, which takes or adds a quarter of an order between the last two"});
+      .only_if(values.integer("mesh") <= 16, "finer meshes have a smaller error than the second-order exact wave")
+      .check("mesh-order", "The surface error of the Lagrangian mesh converges at second order.",
+             "order of the rms error of the surface", &Entry::order,
+             Order{.theory = 2,
+                   .tolerance = 0.4,
+                   .reason = "second order in space and time; the uncertainty of the exact wave is half of the error "
+                             "of the finest mesh, which changes the order between the last two by a quarter"});
   const double apart = equations_apart(values);
   claims_of(all, "dispersive")
       .from("Tadjbakhsh and Keller (1960); averaged Lagrangian of the model's equations")
@@ -146,21 +148,21 @@ void claim_accuracy(const Claims<Contest>& all, const Values& values) {
              "The surface error of the dispersive model agrees with the phase error of its equations within 10 %.",
              "rms error of the surface over the amplitude", error_of_finest,
              Bound{.limit = 0.1 * apart,
-                   .reason = "expected: from the two frequencies alone; a tenth for what harmonics, of second order in "
-                             "ka, and the spacing of the markers add",
+                   .reason = "expected: from the two frequencies alone; a tenth for harmonics, second-order in ka, and "
+                             "the node spacing",
                    .expected = apart});
   const auto sph = claims_of(all, "sph");
   sph.fails({.value = 0,
-             .reason = "beyond some twelve rows the error stays near 0.02: the lattice of the beginning is "
-                       "not at rest under its own sums, and the energy of its settling, a tenth to a third "
-                       "of the wave's, does not fall with the spacing"},
+             .reason = "beyond some twelve particles over the depth the error stays near 0.02: the initial particle "
+                       "arrangement is not in equilibrium under its own sums, and the energy of its settling, a tenth "
+                       "to a third of the wave energy, does not fall with the spacing"},
             values.integer("sph") > 12)
       .check(
-          "sph-falls", "The finest lattice of SPH is nearer than one of half as many rows.", "it is",
+          "sph-falls", "The surface error of SPH at the finest spacing is smaller than at twice that spacing.", "it is",
           [](const Entry& entry) { return entry.finest().error < entry.attempts.front().error; },
           Qualitative{.detector = "rms error of the surface",
-                      .reason = "its sums over neighbours converge, and its viscosity is in proportion to the spacing: "
-                                "with a quarter of the water in a particle it must show"});
+                      .reason = "sums over neighbours converge, and the viscosity is proportional to the spacing: the "
+                                "reduction must be visible at a quarter of the particle mass"});
 }
 
 void claims(const Values& values, const Claims<Contest>& all) {
@@ -173,19 +175,19 @@ void claims(const Values& values, const Claims<Contest>& all) {
                "one rounding per step of the kinetic and of the potential energy",
                "Frank (1994), chapter 6; exact for every space and step");
   const auto from_rest =
-      claims.only_if(values.real("periods") == 1.25, "all energy is kinetic after a quarter of a period more");
+      claims.only_if(values.real("periods") == 1.25, "all energy is kinetic a quarter of a period later");
   claim_swing(from_rest, mesh, omega * 0.4 / values.number("mesh"));
   claim_swing(from_rest, dispersive, omega * 0.25 / values.number("markers"));
   const auto low = claims.only_if(values.real("amplitude") <= 0.05 && values.real("last") <= 8,
-                                  "higher waves, and longer times, end them");
+                                  "these models break down in higher waves and longer runs");
   for (const Named& model : {particles, mesh, variable_mass}) {
     claim_lasts(claims_of(low, model.id), model, trial.last, source);
   }
   claim_breaks(
-      claims_of(claims.only_if(values.real("amplitude") >= 0.05 && values.real("last") >= 6, "small waves last longer"),
+      claims_of(claims.only_if(values.real("amplitude") >= 0.05 && values.real("last") >= 6, "lower waves last longer"),
                 "dirichlet"),
       {"dirichlet", "Dirichlet cells"},
-      "the offset of a node in its cell feels no restoring force, and noise grows until it is as high as the wave",
+      "the offset of a node in its cell has no restoring force, and noise grows to the height of the wave",
       "Frank (1994), section 5.2, in words");
 }
 
@@ -207,14 +209,14 @@ void standing_wave_models(Case& c) {
   c.source = "I. Tadjbakhsh, J. B. Keller, J. Fluid Mech. 8 (1960) 442; " + literature::frank;
   c.parameters = {
       real("amplitude", 0.05, "depth", {0.01, 0.2}, "first-order coefficient of cos kx"),
-      real("wavelength", 6.0, "depth", {3, 12}, "of the wave; the walls are half of it apart"),
-      real("periods", 1.25, "1", {0.25, 10}, "after which errors are compared"),
-      real("last", 6.0, "1", {0.25, 50}, "periods for which the models are followed"),
-      integer("particles", {4, 12, 12}, {4, 40}, "cells of the free particles to the depth, finest of three"),
+      real("wavelength", 6.0, "depth", {3, 12}, "wavelength; the walls are half a wavelength apart"),
+      real("periods", 1.25, "1", {0.25, 10}, "time of the comparison in periods"),
+      real("last", 6.0, "1", {0.25, 50}, "length of the runs in periods"),
+      integer("particles", {4, 12, 12}, {4, 40}, "cells of the Gauss-principle particles per depth, finest of three"),
       integer("mesh", {16, 32, 32}, {8, 96}, "rows of the Lagrangian mesh, finest of four"),
       integer("cells", {12, 24, 24}, {12, 48}, "rows of Dirichlet cells and variable masses, the finest"),
-      integer("markers", {32, 64, 64}, {8, 512}, "of the dispersive model to the depth, finest of four"),
-      integer("sph", {8, 32, 32}, {8, 96}, "rows of SPH particles, finest of three"),
+      integer("markers", {32, 64, 64}, {8, 512}, "nodes of the dispersive model per depth, finest of four"),
+      integer("sph", {8, 32, 32}, {8, 96}, "SPH particles over the depth, finest of three"),
   };
   c.study = Study(claims, compute, show, source);
 }

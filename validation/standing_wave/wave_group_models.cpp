@@ -1,22 +1,21 @@
 /*
-Do models hold a sea of several waves together? A group of waves crosses a tank and comes to a focus at its wall,
-by six models, beside the fully nonlinear potential flow.
+Which model suits a wave group? A group crosses a tank and focuses at its wall, computed with six models, beside the
+fully nonlinear potential flow.
 
-**Set-up.** Depth, gravity and density are 1; the tank is six depths long. Six modes of equal amplitude, from six depths
-long to 1.7, start with the surface and velocities of linear theory so that all crests would meet at the wall $x = 0$ at
-the time `focus`. Laboratories make such groups since Baldock, Swan and Taylor (1996). The exact flow starts with the
-same surface and potential, and is computed from Cauchy's integral with spectral accuracy (`seiche exact
-focused_group`).
+**Set-up.** Depth, gravity and density are 1; the tank is 6 long. Six modes of equal amplitude, L/h = 6 to 1.7, start
+with the surface and velocities of linear theory so that all crests would meet at the wall $x = 0$ at the time `focus`,
+as in laboratories since Baldock, Swan and Taylor (1996). The exact flow starts with the same surface and potential, and
+is computed with Cauchy's integral to spectral accuracy (`seiche exact focused_group`).
 
-**What is compared.** Elevations along the tank at the focus, when every error of a phase counts: the root mean square
-over the height of the focus by linear theory. Each model is followed for half as long again.
+**What is compared.** Elevations along the tank at the focus, when every phase error counts: rms over the linear height
+of the focus. Each model continues for half as long again.
 
-**What to look at.** How far linear theory itself is off tells what is nonlinear: a model further off than that has lost
-more than it has gained. The dispersive model has the wrong speed for waves as long as two depths, as its dispersion law
-says beforehand. Gauss particles and mesh have every wave arrive in time.
+**What to look at.** The error of linear theory itself measures the nonlinearity: a model with a larger error is less
+accurate than linear theory. The dispersive model has the wrong celerity for waves of $L/h = 2$, as predicted by its
+dispersion relation. With Gauss-principle particles and the mesh every component arrives in phase.
 
-**When it is no test.** Of breaking: the group is not steep enough. Of runs of many waves: the way is some three
-periods.
+**Limits of this test.** Breaking is not covered, because the group is not steep enough; nor are long runs, the time to
+focus being some three periods.
 */
 #include <algorithm>
 #include <cmath>
@@ -131,7 +130,7 @@ Trial trial_of(const FocusedGroup& group) {
           .last = 1.5 * group.focus(),
           .looks = 6,
           .useless = 1,
-          .useless_in_words = "the surface is off by the height of the focus",
+          .useless_in_words = "the surface error exceeds the height of the focus",
           .energy_scale = (start.kinetic_energy + start.potential_energy) / 2,
           .reference_uncertainty = group.uncertainty(group.focus())};
 }
@@ -159,8 +158,8 @@ void claims(const Values& values, const Claims<Results>& all) {
   const auto at_focus = all.at("the finest, at the focus");
   const double amplitude = values.real("amplitude");
   const auto nonlinear = at_focus.only_if(amplitude >= 0.05 && amplitude <= 0.1 && values.real("focus") <= 10,
-                                          "lower groups and longer ways differ from linear theory by less than the "
-                                          "lattices' own errors of phase; higher groups tangle the mesh");
+                                          "lower groups and longer runs differ from linear theory by less than the "
+                                          "phase errors of the grids; higher groups tangle the mesh");
   for (const Named& model : {particles, mesh}) {
     nonlinear.from("potential flow by Cauchy's integral, spectral")
         .check(
@@ -169,8 +168,8 @@ void claims(const Values& values, const Claims<Results>& all) {
             "rms error of the surface over that of linear theory",
             [id = model.id](const Results& r) { return r.contest.of(id).finest().error / r.linear; },
             Bound{.limit = 0.25,
-                  .reason = "what linear theory misses is what the group is nonlinear by: below a quarter of it a "
-                            "model tells it four times finer than without"});
+                  .reason = "the error of linear theory measures the nonlinearity of the group: below a quarter of it "
+                            "a model resolves the nonlinearity"});
   }
   const Claims<Contest> claims = at_focus.of(&Results::contest);
   const double spacing = 1 / values.number("markers");
@@ -179,17 +178,16 @@ void claims(const Values& values, const Claims<Results>& all) {
     return exact::discrete_frequency(law.frequency(k), 0.25 * spacing, exact::TimeScheme::one_step);
   });
   claims_of(claims, "dispersive")
-      .only_if(amplitude <= 0.1, "higher groups differ from linear waves by more than a tenth of the law's error")
+      .only_if(amplitude <= 0.1, "higher groups differ from linear waves by more than a tenth of the dispersion error")
       .from("Frank (1994), formula (13); linear waves")
-      .check(
-          "dispersive-law",
-          "The surface error of the dispersive model agrees within a tenth with the error of linear waves of its "
-          "dispersion law.",
-          "rms error of the surface over the amplitude", error_of_finest,
-          Bound{.limit = 0.1 * apart,
-                .reason = "the law says how late each wave is at the focus; linear theory's own error, a twenty-fifth "
-                          "of the amplitude, is a tenth of it",
-                .expected = apart});
+      .check("dispersive-law",
+             "The surface error of the dispersive model agrees with the error of linear waves of its dispersion "
+             "relation within 10 %.",
+             "rms error of the surface over the amplitude", error_of_finest,
+             Bound{.limit = 0.1 * apart,
+                   .reason = "the dispersion relation gives the lag of each wave at the focus; the error of linear "
+                             "theory itself, 4 % of the amplitude, is a tenth of it",
+                   .expected = apart});
   claim_energy(claims_of(claims, "particles"), particles, values.real("focus") * values.number("particles") / 0.15, 2,
                "one rounding per step of the kinetic and of the potential energy",
                "Frank (1994), chapter 6; exact for every space and step");
@@ -224,17 +222,17 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 }  // namespace
 
 void wave_group_models(Case& c) {
-  c.title = "Model comparison: a wave group comes to a focus at a wall";
+  c.title = "Model comparison: focus of a wave group at a wall";
   c.source = "T. E. Baldock, C. Swan, P. H. Taylor, Phil. Trans. R. Soc. Lond. A 354 (1996) 649; " +
              literature::longuet_higgins_cokelet;
   c.parameters = {
       real("amplitude", 0.1, "depth", {0.001, 0.2}, "of the crest at the focus by linear theory"),
-      real("focus", 9.0, "sqrt(depth/g)", {1, 40}, "when the crests meet at the wall"),
-      integer("particles", {4, 12, 12}, {4, 40}, "cells of the free particles to the depth, finest of three"),
+      real("focus", 9.0, "sqrt(depth/g)", {1, 40}, "time at which the crests meet at the wall"),
+      integer("particles", {4, 12, 12}, {4, 40}, "cells of the Gauss-principle particles per depth, finest of three"),
       integer("mesh", {16, 32, 32}, {8, 96}, "rows of the Lagrangian mesh, finest of four"),
       integer("cells", {8, 16, 16}, {8, 48}, "rows of Dirichlet cells and variable masses, the finest"),
-      integer("markers", {32, 64, 64}, {8, 512}, "of the dispersive model to the depth, finest of four"),
-      integer("sph", {8, 32, 32}, {8, 96}, "rows of SPH particles, finest of three"),
+      integer("markers", {32, 64, 64}, {8, 512}, "nodes of the dispersive model per depth, finest of four"),
+      integer("sph", {8, 32, 32}, {8, 96}, "SPH particles over the depth, finest of three"),
   };
   c.study = Study(claims, compute, show, source);
 }

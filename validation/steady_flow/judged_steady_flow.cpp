@@ -28,31 +28,31 @@ struct Required {
 
 std::vector<Required> requirements(const JudgedSteadyFlow& flow, double cell) {
   std::vector<Required> all{
-      {{"depth", "The mean error of the depth is below the tolerance, by default 5 % of the error of level water.",
-        "mean |h - exact| over the error of level water", "1", flow.source},
+      {{"depth", "The mean depth error is below the tolerance, by default 5 % of the error of a level surface.",
+        "mean |h - exact| over the error of a level surface", "1", flow.source},
        [flow](const ProfilePoints& points) { return mean_errors(points, flow.exact).depth / untouched(flow, points); },
        {.limit = flow.tolerance,
-        .reason =
-            "the case's parameter `tolerance`, of what bed and friction do to level water; by default a twentieth"}},
+        .reason = "the case's parameter `tolerance`, relative to the effect of bed and friction on a level surface; by "
+                  "default 5 %"}},
       {{.id = "discharge",
         .text = "The unit discharge q = hu agrees with the inflow along the channel within 1 %.",
         .quantity = "mean |h u - q| over q",
         .source = flow.source},
        [flow](const ProfilePoints& points) { return mean_errors(points, flow.exact).discharge / flow.discharge; },
-       {.limit = 0.01, .reason = "one per cent is what a measuring weir knows of a discharge"}}};
+       {.limit = 0.01, .reason = "1 %, the uncertainty of a measuring weir"}}};
   if (flow.jump) {
     all.push_back(
         {{.id = "jump",
-          .text = "The hydraulic jump stands at its exact position within one cell and its shift by 1 % of discharge.",
-          .quantity = "place less the exact one",
+          .text = "The position of the hydraulic jump is exact within one cell plus its shift by 1 % of discharge.",
+          .quantity = "position minus the exact position",
           .unit = "m",
           .source = flow.source},
          [front = flow.jump->front](const ProfilePoints& points) {
            return front_position(points.cells(), front) - front.position;
          },
          {.limit = Amount::at_most(cell + flow.jump->sway, flow.jump->front.reach),
-          .reason = "the middle of a jump that is smeared over eight cells is known to one of them; and a "
-                    "discharge one per cent off, which passes, displaces it"}});
+          .reason = "the middle of a jump smeared over eight cells is known to one cell; and a discharge error of 1 %, "
+                    "which passes, displaces it"}});
   }
   return all;
 }
@@ -77,7 +77,7 @@ void judge(const JudgedSteadyFlow& flow, const Submitted& submitted, const Solve
 
 Parameter level_tolerance_parameter() {
   return real("tolerance", 0.05, "1", {1e-12, 1},
-              "mean error of a submitted depth that still passes, over the error of level water");
+              "largest passing mean error of a submitted depth, over the error of a level surface");
 }
 
 Submission submission_of(const std::function<JudgedSteadyFlow(const Values&)>& flow_of) {

@@ -1,20 +1,20 @@
 /*
-A river reach with friction: choose the depth, $h = (4/g)^{1/3}\left(1 + \tfrac12 e^{-16 (x/L - 1/2)^2}\right)$, the
-discharge $q = 2$ m²/s and Manning's $n = 0.033$; the momentum equation then says what the bed must be (MacDonald),
+A river reach with friction: for the depth $h = (4/g)^{1/3}\left(1 + \tfrac12 e^{-16 (x/L - 1/2)^2}\right)$, the
+discharge $q = 2$ m²/s and Manning's $n = 0.033$, the momentum equation determines the bed (MacDonald),
 
 $$z' = \left(\frac{q^2}{g h^3} - 1\right) h' - \frac{n^2 q^2}{h^{10/3}}.$$
 
 Bed, friction and the two ends act together over $L = 1000$ m.
 
-**What is compared.** Depth and discharge after the flow has settled, for several numbers of particles. Particles enter
-at their own rhythm, and no instant is like the next: errors are means over the last fifth of the time.
+**What is compared.** Depth and discharge of the settled flow, for several numbers of particles. Particles enter at
+their own rhythm, and instants differ: errors are means over the last fifth of the time.
 
-**Your solver.** `seiche exact macdonald` prints the bed z; 2 m²/s come in at x = 0, at 1000 m the depth is the
+**Your solver.** `seiche exact macdonald` prints the bed z; the inflow is 2 m²/s at x = 0, the depth at 1000 m is the
 template's reference. Depth and velocity of the settled flow are evaluated by the depth and by the discharge.
 
-**What to look at.** The order away from the ends, and the first particle behind the inlet: the fixed section through
-which the water enters is only first-order accurate, and with the ends included it decides the mean error. At a single
-instant the errors scatter so much that the order cannot be told.
+**What to look at.** The order away from the ends, and the first particle behind the inlet: the fixed inflow section is
+only first-order accurate, and with the ends included it dominates the mean error. At a single instant the errors
+scatter too much for an order.
 */
 #include <algorithm>
 #include <cmath>
@@ -112,19 +112,19 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const exact::MacDonald channel = channel_of(values);
   const long finest = numbers_of_particles(values.integer("particles")).back();
   claims.check(
-      "order", "Away from the ends the depth converges at second order with bed and friction.",
+      "order", "The depth error 100 m off the ends converges at second order with bed and friction.",
       "observed order of cell L1(h), 100 m off the ends",
       [](const Results& r) { return r.order(&Settled::inner_error); },
-      Order{2, 0.5, "second order; particles enter at their own rhythm, which scatters single errors by a few tenths"});
+      Order{2, 0.5, "second order; particles enter at their own rhythm, which scatters single orders by a few tenths"});
   claims
       .only_if(values.integer("particles") >= 70,
-               "from fewer than 70 particles on the rise of the depth, not the inlet, decides the error")
+               "below 70 particles the rise of the depth, not the inlet, dominates the error")
       .check(
           "discharge",
           "The discharge converges to a uniform value at an order from 1, at the inlet, to 2, in the rest of the "
           "channel.",
           "observed order of L1(q)", [](const Results& r) { return r.order(&Settled::discharge_error); },
-          Order{1.5, 0.5, "between the first order of the section at the inlet and the second of the rest"});
+          Order{1.5, 0.5, "between first order of the inlet section and second order of the rest"});
   claim_steady_flow(claims.at(fmt::format("N = {}", finest)).of([](const Results& r) -> const Profile& {
     return r.finest().profile;
   }),
@@ -133,7 +133,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
   claims.at(fmt::format("N = {}", finest))
       .from("conservation law of mass")
       .check(
-          "mass", "Mass changes by inflow minus outflow alone.", "mass less the booked mass [m^2]",
+          "mass", "The mass change equals inflow minus outflow to round-off.", "mass minus the booked mass [m^2]",
           [](const Results& r) { return r.finest().mass_defect; },
           open_ends_roundoff({.length = channel.length(),
                               .depth = channel.at(channel.length()).depth,
@@ -191,8 +191,8 @@ void macdonald_channel(Case& c) {
   c.source =
       "I. MacDonald et al., Analytic benchmark solutions for open-channel flows, J. Hydraul. Eng. 123 (1997) 1041";
   c.parameters = {
-      integer("particles", {25, 70, 100}, {8, 1e4}, "coarsest number of particles, up to 8 times as many run too"),
-      real("time", {1000, 3000, 6000}, "s", {1, 1e6}, "time in which the flow settles"),
+      integer("particles", {25, 70, 100}, {8, 1e4}, "smallest number of particles; up to 8 times as many run too"),
+      real("time", {1000, 3000, 6000}, "s", {1, 1e6}, "settling time of the flow"),
       real("gravity", 9.81, "m/s^2", {1e-3, 1e3}, "acceleration of gravity"),
       level_tolerance_parameter(),
   };

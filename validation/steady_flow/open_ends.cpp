@@ -14,8 +14,8 @@ evidence::Roundoff open_ends_roundoff(const ChannelReach& reach, long particles,
   return {.operations = 1,
           .scale = std::hypot(std::sqrt(2 * steps) * particle, std::sqrt(4.0) * (water + passed)),
           .reason =
-              "the particles at the two ends, up to twice as large as the others, are rounded at every step, the sums "
-              "of what is there and what has passed once each"};
+              "the particles at the two ends, up to twice as large as the others, are rounded at every step; the sums "
+              "of present and passed mass once each"};
 }
 
 }  // namespace seiche::validation

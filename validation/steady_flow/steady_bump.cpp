@@ -1,27 +1,26 @@
 /*
-Water flows over a parabolic bump, $z = 0.2 - 0.05 (x - 10)^2$ on $8 < x < 12$ m, in a channel of 25 m, until nothing
-changes any more. Bernoulli's law gives the depth,
+Steady flow over a parabolic bump, $z = 0.2 - 0.05 (x - 10)^2$ on $8 < x < 12$ m, in a channel of 25 m. Bernoulli's law
+gives the depth,
 
 $$\frac{q^2}{2 g h^2} + h + z = E,$$
 
 in three regimes: subcritical ($q = 4.42$ m²/s, depth 2 m at the outflow), transcritical without a jump (1.53) and with
 one (0.18, 0.33 m).
 
-The ends are fixed sections: the water comes in at $q$ and goes out at the given depth (or freely, where it leaves
-supercritical), so particles are born at one end and leave at the other. No instant is like the next: errors are means
-over the last fifth of the time.
+The ends are fixed sections: the water enters at $q$ and leaves at the given depth (or freely, where supercritical), so
+that particles are created at one end and removed at the other. Instants differ: errors are means over the last fifth of
+the time.
 
-**What is compared.** Depth, and the discharge, which a steady state has the same everywhere; the fixed-grid comparison
-scheme with hydrostatic reconstruction beside it.
+**What is compared.** Depth, and the discharge, uniform in steady flow; beside them the fixed-grid comparison scheme
+with hydrostatic reconstruction.
 
-**Your solver.** One regime at a time (`--set regime=jump`; `subcritical` where none is set): depth and velocity of the
-settled flow are evaluated by the depth, the discharge and the place of the jump.
+**Your solver.** One regime at a time (`--set regime=jump`; default `subcritical`): depth and velocity of the settled
+flow are evaluated by the depth, the discharge and the position of the jump.
 
-**What to look at.** The discharge: it shows what the depth hides. Smooth flow converges with the second order,
-transcritical flow too once the particles, which grow as the water thins, resolve the bump: from 50 on. At a jump the
-method can do no better than the first order, and it takes many particles to see it: the jump's water is a sixth as deep
-on the bump as at the outflow, particles are as much longer, and what each does as it passes through the jump is a
-disturbance of its own.
+**What to look at.** The discharge, which shows errors that the depth hides. Smooth flow converges at second order,
+transcritical flow too once the particles, which lengthen as the water becomes shallow, resolve the bump: from 50 on. At
+a jump the method is first-order at best, and only with many particles: on the bump the water of the jump is a sixth as
+deep as at the outflow, particles are six times as long, and each disturbs the flow as it passes through the jump.
 */
 #include <algorithm>
 #include <cmath>
@@ -207,36 +206,35 @@ using Results = std::vector<Settling>;  // of the regimes
 void claim_orders(const Claims<Settling>& claims, const Regime& regime) {
   const auto claim = [&](const std::string& what, const std::string& text,
                          const std::string& quantity) -> evidence::Claim {
-    return {regime.name + "-" + what, fmt::format("{}: {}", regime.name, text), quantity, "1",
+    return {regime.name + "-" + what, fmt::format("{} ({}).", text, regime.name), quantity, "1",
             "Delestre et al. (2013), section 3.1"};
   };
   if (regime.name != "jump") {
-    const Order second{
-        2, 0.5,
-        "second order; the bump's corners, and particles that enter at their own rhythm, change it by a few tenths"};
+    const Order second{2, 0.5,
+                       "second order; the corners of the bump, and particles that enter at their own rhythm, change it "
+                       "by a few tenths"};
     claims.check(
-        claim("order", "the depth converges to the exact steady state at second order.",
-              "observed order of cell L1(h)"),
+        claim("order", "The depth converges to the exact steady state at second order", "observed order of cell L1(h)"),
         [](const Settling& r) { return r.order(&Errors::depth); }, second);
     claims.check(
-        claim("discharge", "the discharge converges to a uniform value at second order.", "observed order of L1(q)"),
+        claim("discharge", "The discharge converges to a uniform value at second order", "observed order of L1(q)"),
         [](const Settling& r) { return r.order(&Errors::discharge); }, second);
     return;
   }
   const Order first{1, 0.5,
-                    "first order at a jump: errors as large as the jump on as many particles as it is wide, whatever "
-                    "their number; its place between particles changes it by a few tenths"};
+                    "first order at a jump: errors of the height of the jump over a fixed number of particles; the "
+                    "position of the jump between particles changes the order by a few tenths"};
   claims.check(
-      claim("order", "within a metre of the jump the depth converges at first order.", "observed order of cell L1(h)"),
+      claim("order", "The depth within 1 m of the jump converges at first order", "observed order of cell L1(h)"),
       [](const Settling& r) { return r.order(&Errors::jump_depth); }, first);
   claims.check(
-      claim("discharge", "the discharge converges at first order.", "observed order of L1(q)"),
+      claim("discharge", "The discharge at the jump converges at first order", "observed order of L1(q)"),
       [](const Settling& r) { return r.order(&Errors::jump_discharge); }, first);
   claims.check(
-      claim("discharge-below", "below the jump the discharge equals the inflow within 1 %.", "mean |q/q_in - 1|"),
+      claim("discharge-below", "The discharge downstream of the jump equals the inflow within 1 %",
+            "mean |q/q_in - 1|"),
       [](const Settling& r) { return r.errors.back().below_jump_discharge.value(); },
-      Bound{.limit = 0.01,
-            .reason = "what passes the jump makes waves; one per cent is what a measuring weir knows of a discharge"});
+      Bound{.limit = 0.01, .reason = "what passes the jump makes waves; 1 %, the uncertainty of a measuring weir"});
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
@@ -252,8 +250,9 @@ void claims(const Values& values, const Claims<Results>& claims) {
                       judged_flow(regime, values), regime.flow.bump().length / static_cast<double>(finest),
                       regime.name + "-judged-");
     here.check(
-        regime.name + "-mass", fmt::format("{}: mass changes by inflow minus outflow alone.", regime.name),
-        "mass less the booked mass [m^2]", [](const Settling& r) { return r.finest.mass_defect; },
+        regime.name + "-mass",
+        fmt::format("The mass change equals inflow minus outflow to round-off ({}).", regime.name),
+        "mass minus the booked mass [m^2]", [](const Settling& r) { return r.finest.mass_defect; },
         open_ends_roundoff({.length = regime.flow.bump().length,
                             .depth = depth,
                             .discharge = regime.flow.discharge(),
@@ -366,9 +365,9 @@ void steady_bump(Case& c) {
       choice("regime", {"smooth", "all", "all"}, {"all", "smooth", "subcritical", "transcritical", "jump"},
              "which steady states; smooth: those without a jump"),
       integer("particles", {25, 100, 400}, {8, 1e5},
-              "coarsest number of particles, up to 8 times as many run too; twice that in transcritical flow, four "
+              "smallest number of particles; up to 8 times as many run too; twice that in transcritical flow, four "
               "times with a jump"),
-      real("time", {100, 200, 400}, "s", {1, 1e5}, "time in which the flow settles"),
+      real("time", {100, 200, 400}, "s", {1, 1e5}, "settling time of the flow"),
       real("gravity", 9.81, "m/s^2", {1e-3, 1e3}, "acceleration of gravity"),
       level_tolerance_parameter(),
   };

@@ -1,27 +1,28 @@
 /*
-A flap hinged at the bottom of a flume starts from rest and makes a regular wave: weakly compressible SPH (figure 5 of
-the publication). FlapDesign: depth $d = 4$ m, wavelength $L = 27.3$ m, height 1.02 m, stroke 2.11 m, period 4.7 s.
+A flap hinged at the bed of a flume starts from rest and generates a regular wave, computed with weakly compressible SPH
+(figure 5 of the publication). FlapDesign: depth $d = 4$ m, wavelength $L = 27.3$ m, height 1.02 m, stroke 2.11 m,
+period 4.7 s.
 
-**Set-up.** The flap turns rigidly, $X_w = \tfrac12 S\sin\omega t$ at the still-water level. $\alpha = 0.01$, density
-filter every 30 steps, $c_0 = 10\sqrt{gd}$. The flume is so long that nothing comes back from its end. Elevations at
-$x = L$: where the share of water on the vertical falls to one half.
+**Set-up.** The flap rotates rigidly, $X_w = \tfrac12 S\sin\omega t$ at the still-water level. $\alpha = 0.01$, density
+filter every 30 steps, $c_0 = 10\sqrt{gd}$. The flume is long enough to exclude reflections. Elevations at $x = L$:
+where the volume fraction of water on the vertical falls to 0.5.
 
-**What is compared.** Heights from crest to trough in each period with two references: the exact linear transient from
-rest, `wavemaker_start`; and the design, from which the publication reports a difference of "about 8 per cent" for the
-second wave. When its clock starts it does not say. Counted from the start of the flap, the second wave at $x = L$ is a
-third too low, in exact linear theory a fifth. Counted from one period later, when the wave is at the gauge, it is 5 to
-12 per cent below the design, by spacing: this is the clock that fits.
+**What is compared.** Wave heights in each period with two references: the exact linear transient from rest,
+`wavemaker_start`; and the design, from which the publication reports a difference of "about 8 per cent" for the second
+wave, without an origin of time. Counted from the start of the flap, the second wave at $x = L$ is a third below the
+design, in exact linear theory a fifth. Counted from one period later, when the wave is at the gauge, it is 5 to 12 %
+below the design, depending on the spacing: this origin agrees.
 
 **Where the loss is.** With the publication's cubic spline and $h = 1.3\,dx$ the second wave is too low. The table
-follows it along the flume: beside the flap it equals the exact transient, so the paddle does what it should; on the
-way it falls. Viscosity, density filter, XSPH, walls, sound speed and spacing are changed one at a time (tier `full`):
-none of them gives back much of what is lost. The number of neighbours does, with a kernel that bears it: the Wendland
-kernel with $h = 1.7\,dx$, 36 neighbours instead of 21, at 1.3 times the cost, for its steps are longer. The cubic
-spline does not: at that many neighbours its particles pair.
+follows it along the flume: beside the flap it equals the exact transient, so that the paddle is correct; on the way it
+decays. Viscosity, density filter, XSPH, walls, sound speed and spacing are changed one at a time (tier `full`): none
+restores much of the loss. The number of neighbours does, with a kernel that permits it: the Wendland kernel with $h =
+1.7\,dx$, 36 neighbours instead of 21, at 1.3 times the cost, for its steps are longer. The cubic spline does not: at
+that many neighbours its particles pair.
 
-**What to look at.** In linear theory itself the first wave at $x = L$ is almost absent, the second more than 20 per
-cent too low, the third too high. Note that period and wavelength of the design do not fit each other: with $T = 4.7$ s
-linear waves are 25.9 m long and, for this stroke, 1.08 m high.
+**What to look at.** In linear theory itself the first wave at $x = L$ is almost absent, the second more than 20 % too
+low, the third too high. Period and wavelength of the design are inconsistent: with $T = 4.7$ s linear waves are 25.9 m
+long and, for this stroke, 1.08 m high.
 */
 #include <algorithm>
 #include <array>
@@ -56,8 +57,8 @@ const std::vector<FlapScheme> suspects{
     {"no density filter", [](wcsph::Settings& s) { s.filter_every = 0; }},
     {"density diffusion 0.1", [](wcsph::Settings& s) { s.density_diffusion = 0.1; }},
     {"no XSPH", [](wcsph::Settings& s) { s.xsph = 0; }},
-    {"walls by the water", [](wcsph::Settings& s) { s.walls = wcsph::WallPressure::extrapolated; }},
-    {"sound twice as fast", [](wcsph::Settings& s) { s.sound_speed *= 2; }},
+    {"extrapolated wall pressure", [](wcsph::Settings& s) { s.walls = wcsph::WallPressure::extrapolated; }},
+    {"sound speed doubled", [](wcsph::Settings& s) { s.sound_speed *= 2; }},
     {"cubic spline, h = 1.5 dx", [](wcsph::Settings& s) { s.smoothing = 1.5; }},
     {"Wendland kernel, h = 1.3 dx", [](wcsph::Settings& s) { s.kernel = wcsph::KernelName::wendland_c2; }},
     {"Wendland kernel, h = 1.5 dx",
@@ -175,7 +176,7 @@ void claim_scheme(const Claims<Results>& all, const std::string& id, const FlapS
   const auto claims = all.at([runs](const Results& r) { return (r.*runs).back().resolution(); });
   claims.check(
       "beside-flap" + id,
-      fmt::format("Beside the flap the second wave agrees with the exact transient ({}).", scheme.name),
+      fmt::format("The height of the second wave beside the flap agrees with the exact transient ({}).", scheme.name),
       "height from crest to trough during the second period [m]",
       [runs](const Results& r) { return r.heights((r.*runs).back(), beside_flap)[1]; },
       Bound{.limit = linear.steepness(beside_flap),
@@ -187,7 +188,7 @@ void claim_scheme(const Claims<Results>& all, const std::string& id, const FlapS
           "contained" + id,
           fmt::format("The number of particles behind the flap or through a wall is zero ({}).", scheme.name),
           "particles outside at the end", [runs](const Results& r) { return (r.*runs).back().behind; },
-          Bound{.limit = 0, .reason = "walls are tight"});
+          Bound{.limit = 0, .reason = "walls are impermeable"});
 }
 
 void claim_loss(const Claims<Results>& all, const Theory& linear, const Values& values) {
@@ -196,22 +197,24 @@ void claim_loss(const Claims<Results>& all, const Theory& linear, const Values& 
   const double nonlinear = linear.steepness(beside_flap);
   claims.check(
       "loss-more",
-      fmt::format("The waves lose at most k H/2 of their height on their way, the nonlinearity beside the flap ({}).",
-                  more_neighbours.name),
-      "part lost between the flap and the gauge, against the exact transient",
+      fmt::format(
+          "The loss of wave height between flap and gauge is at most k H/2, the nonlinearity beside the flap ({}).",
+          more_neighbours.name),
+      "fraction of height lost between flap and gauge, against the exact transient",
       [](const Results& r) { return r.loss(r.wide.back()); },
       Bound{.limit = nonlinear, .reason = "nonlinearity: k H/2 beside the flap, where waves are highest"});
   const auto few = all.at(by_set).only_if(values.text("kernel") == "cubic_spline" && values.real("smoothing") <= 1.3,
-                                          "it is said of the publication's kernel and of its number of neighbours");
+                                          "stated for the publication's kernel and number of neighbours");
   few.check(
-      "loss", "Waves computed with the publication's 21 neighbours lose height.", "more than nonlinearity explains",
-      [nonlinear](const Results& r) { return r.loss(r.runs.back()) > nonlinear; },
+      "loss", "The loss of wave height with the publication's 21 neighbours exceeds the nonlinearity k H/2.",
+      "exceeds the nonlinearity", [nonlinear](const Results& r) { return r.loss(r.runs.back()) > nonlinear; },
       Qualitative{
-          .detector = "part lost between the flap and the gauge above k H/2",
-          .reason = "the viscosity of the settings, 0.08 alpha c h, takes a hundredth of the height over this way"});
+          .detector = "fraction of height lost between flap and gauge above k H/2",
+          .reason = "the viscosity of the settings, 0.08 alpha c h, dissipates 1 % of the height over this distance"});
   const double wider = 1.7 / values.real("smoothing");
   few.at(by_more)
-      .only_if(values.real("smoothing") >= 1.25, "shells of fewer neighbours do not go with the area of the support")
+      .only_if(values.real("smoothing") >= 1.25,
+               "shells of fewer neighbours are not proportional to the area of the support")
       .check(
           "cheap",
           fmt::format("The neighbour pairs of the wider kernel, which restores the height, grow with its smoothing "
@@ -223,26 +226,28 @@ void claim_loss(const Claims<Results>& all, const Theory& linear, const Values& 
                    static_cast<double>(r.runs.back().extremes.interactions);
           },
           Bound{.limit = 0.2,
-                .reason = "h^2 as many neighbours and 1/h as many steps make h; neighbours come in shells, which a "
-                          "flow dissolves: a fifth",
+                .reason = "neighbours scale with h^2 and steps with 1/h, hence pairs with h; neighbours come in "
+                          "shells, which a flow dissolves: 20 %",
                 .expected = wider,
                 .relative = true});
-  few.only_if(sph_ladder(values.tier(), values.integer("layers")).size() >= 3, "it takes the lattices of the full tier")
+  few.only_if(sph_ladder(values.tier(), values.integer("layers")).size() >= 3, "needs the spacings of the full tier")
       .check(
-          "not-spacing", "The difference does not depend on the spacing (as set).",
-          "half of the spacing leaves more than half of the loss",
+          "not-spacing",
+          "The loss of wave height at half the spacing exceeds half of the loss at the full spacing (settings of the "
+          "publication).",
+          "half the spacing leaves more than half of the loss",
           [](const Results& r) { return r.loss(r.runs.back()) > 0.5 * r.loss(r.runs.front()); },
           Qualitative{
-              .detector =
-                  "part lost on the finest lattice above half of that on the coarsest, whose spacing is twice as wide",
-              .reason = "an error of first order is halved"});
+              .detector = "fraction lost at the finest spacing above half of that at the coarsest, twice as large",
+              .reason = "a first-order error would be halved"});
 }
 
 void claim_variants(const Claims<Results>& claims, const Values& values) {
   const auto all = claims.at([](const Results& r) { return r.suspects.front().resolution(); })
                        .only_if(values.tier() != Tier::quick, "variants run from the full tier on");
-  all.fails({1, 0, "with walls by the water the density of a particle leaves [0.5, 1.5] at 2.55 s on 40 layers"},
-            sph_ladder(values.tier(), values.integer("layers")).front() >= 40)
+  all.fails(
+         {1, 0, "with extrapolated wall pressure the density of a particle leaves [0.5, 1.5] at 2.55 s with 40 layers"},
+         sph_ladder(values.tier(), values.integer("layers")).front() >= 40)
       .from(publication)
       .check(
           "variants", "The number of variants of the scheme that break down is zero.", "variants that break down",
@@ -262,20 +267,20 @@ void claim_design(const Claims<Results>& all, const FlapDesign& design) {
   const auto claims =
       all.at(by_set)
           .only_if(design.depth == 4 && design.period == 4.7 && design.stroke == 2.11 && design.gauge == 27.3,
-                   "it is said of the publication's wave")
+                   "stated for the publication's wave")
           .from(publication);
-  claims.check(
-      "second-from-gauge",
-      "The second wave, counted from one period after the start, when the wave is at the gauge, is about 8 per cent "
-      "lower than the design, as the publication says.",
-      "part of the design height 1.02 m that the second wave lacks", lower(2),
-      Bound{.limit = said / 2, .reason = "\"about\", read as to within half of it", .expected = said});
+  claims.check("second-from-gauge",
+               "The height of the second wave, counted from one period after the start, is about 8 % below the design, "
+               "as in the publication.",
+               "deficit of the second wave relative to the design height 1.02 m", lower(2),
+               Bound{.limit = said / 2, .reason = "\"about\" interpreted as within half of it", .expected = said});
   claims.check(
       "second-from-start",
-      "The second wave, counted from the start of the flap, is lower still: the publication's clock is the other one.",
-      "the second wave lacks more", [at = lower(1)](const Results& r) { return at(r) > 1.5 * said; },
-      Qualitative{.detector = "more than 12 per cent of the design height",
-                  .reason = "exact linear theory lacks 18 per cent, and the particles lose some more"});
+      "The height of the second wave, counted from the start of the flap, is more than 12 % below the design, which "
+      "excludes this origin of time.",
+      "the deficit is larger", [at = lower(1)](const Results& r) { return at(r) > 1.5 * said; },
+      Qualitative{.detector = "more than 12 % of the design height",
+                  .reason = "the deficit in exact linear theory is 18 %, and the particles lose more"});
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
@@ -283,7 +288,9 @@ void claims(const Values& values, const Claims<Results>& claims) {
   claim_design(claims, flap_design(values));
   const Theory linear = theory_of(flap_design(values));
   claims.at(by_more).check(
-      "second-transient", fmt::format("The second wave agrees with the exact transient ({}).", more_neighbours.name),
+      "second-transient",
+      fmt::format("The height of the second wave at the gauge agrees with the exact transient ({}).",
+                  more_neighbours.name),
       "height from crest to trough during the second period [m]",
       [](const Results& r) { return r.heights(r.wide.back())[1]; },
       Bound{.limit = linear.steepness(at_gauge),
@@ -295,8 +302,9 @@ void claims(const Values& values, const Claims<Results>& claims) {
   claim_scheme(claims, "-more", more_neighbours, &Results::wide, linear);
   claims.check(
       "transient-below",
-      "In exact linear theory too the second wave at this place is lower than the settled one by more than 8 per cent.",
-      "it is lower", [](const Results& r) { return r.linear.heights[at_gauge][1] < 0.92 * r.linear.settled_height; },
+      "The height of the second wave at the gauge in exact linear theory is more than 8 % below the settled height.",
+      "lower than the settled height",
+      [](const Results& r) { return r.linear.heights[at_gauge][1] < 0.92 * r.linear.settled_height; },
       Qualitative{.detector = "height of the second wave below 0.92 of the settled one",
                   .reason = "the front of the wave train disperses"});
 }
@@ -320,7 +328,7 @@ void tabulate_heights(const Results& r, evidence::Exhibit& exhibit) {
   evidence::Table& table =
       add_table(exhibit, "heights", "Heights from crest to trough at the gauge",
                 "In the first and second period, and in the part of the third that was run [m]; the second one over "
-                "the settled wave, of which the publication says 8 per cent of difference.",
+                "the settled wave; the publication states a difference of 8 %.",
                 {"", "period 1 [m]", "period 2 [m]", "2 to 2.75 [m]", "period 2, over settled"});
   const double settled = r.linear.settled_height;
   const auto row = [&](const std::string& label, const std::array<double, 3>& heights) {
@@ -335,9 +343,9 @@ void tabulate_heights(const Results& r, evidence::Exhibit& exhibit) {
 
 void tabulate_loss(const Results& r, evidence::Exhibit& exhibit) {
   evidence::Table& table =
-      add_table(exhibit, "loss", "Where the waves lose height, and what gives it back",
-                "Root of the mean square of the elevation after one period, over the exact transient's, at distances "
-                "from the flap in distances of the gauge; the part that is lost on the way; particles that got out.",
+      add_table(exhibit, "loss", "Loss of wave height, and its remedies",
+                "Rms elevation after one period, over the exact transient, at distances from the flap over the gauge "
+                "distance; fraction lost between flap and gauge; escaped particles.",
                 {"", "layers", "neighbours"});
   for (const double place : places) table.columns.emplace_back(fmt::format("{:g}", place), "");
   table.columns.emplace_back("lost", "");
@@ -360,7 +368,7 @@ void tabulate_loss(const Results& r, evidence::Exhibit& exhibit) {
 
 void draw(const Results& r, evidence::Exhibit& exhibit) {
   auto& panel = add_panel(exhibit, "gauge", "Elevation at x = L from the flap wavemaker",
-                          "SPH, the exact transient from rest, and the settled wave, which is not there yet.",
+                          "SPH, the exact transient from rest, and the settled wave, which has not arrived yet.",
                           {.x = "t/T", .y = "elevation [m]"}, {"sph-fig-5"});
   std::vector<double> phase = each(r.linear.time, [&](const double t) { return t / r.design.period; });
   panel.line("transient, linear theory", phase, r.linear.transient[at_gauge], Role::exact);
@@ -373,8 +381,8 @@ void draw(const Results& r, evidence::Exhibit& exhibit) {
              r.wide.back().elevation[at_gauge], Role::peer);
 
   auto& along = add_panel(exhibit, "loss", "Height of the waves along the flume",
-                          "Root of the mean square of the elevation after one period, over the exact transient's.",
-                          {.x = "x/L", .y = "share of the height", .y_min = 0});
+                          "Rms elevation after one period, over the exact transient.",
+                          {.x = "x/L", .y = "fraction of the height", .y_min = 0});
   const auto line = [&](const std::string& label, const FlapWaves& one, Role role) {
     along.line(label, places, each(indices(places.size()), [&](std::size_t k) { return r.share(one, k); }), role);
   };
@@ -395,7 +403,7 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 }  // namespace
 
 void flap_wave_sph(Case& c) {
-  c.title = "A flap makes a regular wave: weakly compressible SPH";
+  c.title = "Regular wave of a flap: weakly compressible SPH";
   c.source = literature::plunging_sph +
              ", figure 5; E. H. Kennard, Quart. Appl. Math. 7 (1949) 303; R. G. Dean, R. A. Dalrymple, Water wave "
              "mechanics (1991), chapter 6";

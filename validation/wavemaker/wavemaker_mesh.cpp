@@ -1,22 +1,22 @@
 /*
-A piston starts to oscillate at the end of a long tank at rest. The two-dimensional Lagrangian mesh (Frank 1994, chapter
-2) follows it: the nodes of its first column are where the piston is and slide up and down on it. Depth and gravity
-are 1.
+A piston at the end of a long tank starts to oscillate from rest. The two-dimensional Lagrangian mesh (Frank 1994,
+chapter 2) follows it: the nodes of its first column are on the piston and slide along it. Depth and gravity are 1.
 
 **Set-up.** The piston moves by $\tfrac12 S\,r(t)\sin\omega t$, where $r$ rises from 0 to 1 during the first period
-(`soft`) or is 1 (`jump`): its velocity then jumps, and the first velocities of the water follow from it, for the areas
-of all cells must stay. The tank ends at a wall 20 depths away, and the run ends before the first wave is back at a
+(`soft`) or is 1 (`jump`): its velocity is then discontinuous, and the constant cell areas determine the initial
+velocities of the water. The tank ends at a wall at $x = 20$, and the run ends before the reflected first wave reaches a
 gauge.
 
-**What is compared.** The elevation at gauges 2, 5 and 10 depths from the piston with the exact transient of linear
-theory; for the soft start, with Duhamel's integral of it. Runs with $S$ and $-S$ separate what changes sign with the
-stroke from what does not. Half of the difference is the linear wave, but for a third order; half of the sum is the
-second order, which linear theory leaves out. It must be four times as high for twice the stroke.
+**What is compared.** The elevation at gauges $x$ = 2, 5 and 10 with the exact transient of linear theory; for the soft
+start, with its Duhamel integral. Runs with $S$ and $-S$ separate odd from even orders in the stroke. Half of the
+difference is the linear wave, up to third order; half of the sum is the second order, which linear theory neglects and
+which must be four times as high for twice the stroke.
 
-**What to look at.** The front that arrives first is the lowest and longest part of the wave; nothing of it resembles
-the settled wave. The difference from theory falls by four when cells and steps are halved. A piston that jumps sends
-out short waves of all lengths. Their height falls with the wavenumber like $k^{-3/4}$ only, no mesh resolves them all,
-and the difference falls as slowly. The second order has twice the frequency: crests become sharper, troughs flatter.
+**What to look at.** The front that arrives first is the lowest and longest part of the wave and does not resemble the
+settled wave. The difference from theory falls by four when cells and steps are halved. A piston with discontinuous
+velocity emits short waves of all lengths. Their height falls with the wavenumber like $k^{-3/4}$ only, no mesh resolves
+them all, and the difference falls as slowly. The second order has twice the frequency: crests become sharper, troughs
+flatter.
 */
 #include <array>
 #include <cmath>
@@ -276,22 +276,22 @@ double second_order_changes(const Results& r) {
 
 void claims(const Values& values, const Claims<Results>& claims) {
   const SetUp s = set_up(values);
-  claims.only_if(!s.paddle.sudden, "no mesh resolves all waves of a piston that jumps")
+  claims.only_if(!s.paddle.sudden, "no mesh resolves all waves of a piston with discontinuous velocity")
       .check(
-          "order", "The linear wave converges to linear theory with the second order.",
+          "order", "The error of the linear wave against linear theory converges at second order.",
           "order of the largest relative L2 error of the gauges",
           [](const Results& r) { return r.convergence.order(); },
           Order{.theory = 2,
                 .tolerance = 0.5,
-                .reason = "second order in cells and steps; half an order for coarse meshes and for where piston and "
-                          "surface meet"});
+                .reason = "second order in cells and steps; half an order for coarse meshes and the corner of piston "
+                          "and surface"});
   const double steepness = s.settled.wavenumber() * s.paddle.stroke;
   claims.at(s.mesh.name())
-      .check("second-order", "What linear theory leaves out is four times as high for twice the stroke.",
+      .check("second-order", "The second-order elevation is proportional to the square of the stroke.",
              "largest relative L2 distance of the even parts over the stroke's square", second_order_changes,
              Bound{.limit = 10 * steepness * steepness,
-                   .reason = "the next even order is the fourth, the square of k S relative to the second, times a "
-                             "coefficient of order one, which grows with the ten depths that the wave has run"});
+                   .reason = "the next even order is the fourth, relative to the second (k S)^2 times a coefficient of "
+                             "order one, which grows with the distance travelled, 10 h"});
 }
 
 Results compute(const Run& run) {
@@ -328,10 +328,10 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
       "gauges", "Elevation at the gauges",
       fmt::format("Over the stroke {:g}, with the exact transient of linear theory; {}.", stroke, s.mesh.name()));
   auto& second =
-      exhibit.figure("second-order", "The second order",
-                     "What does not change sign with the stroke, over its square: for the stroke and for half of it.");
+      exhibit.figure("second-order", "Second order",
+                     "Even part in the stroke, over the square of the stroke: for the stroke and for half of it.");
   for (std::size_t g = 0; g < gauges.size(); ++g) {
-    const std::string title = fmt::format("{:g} depths from the piston", gauges[g]);
+    const std::string title = fmt::format("x/h = {:g} from the piston", gauges[g]);
     auto& panel = waves.panel({.x = "t [sqrt(depth/g)]", .y = "elevation/stroke", .title = title});
     panel.line("linear theory", r.high.time, r.theory[g], Role::exact);
     panel.line("mesh", r.high.time, r.high.odd[g], Role::computed);
@@ -345,18 +345,19 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
 
 void wavemaker_mesh(Case& c) {
   c.former_names = {"wavemaker_2d"};
-  c.title = "A piston starts from rest: the two-dimensional Lagrangian mesh";
+  c.title = "Piston started from rest: two-dimensional Lagrangian mesh";
   c.source = "E. H. Kennard, Quart. Appl. Math. 7 (1949) 303; " + literature::frank + ", chapter 2";
   c.tiers = {Tier::quick, Tier::full};
   c.parameters = {
       real("period", 10.0, "sqrt(depth/g)", {3, 30}, "of the piston"),
       real("stroke", 0.05, "depth", {1e-5, 0.3}, "from one end of the piston's motion to the other"),
-      choice("start", "soft", {"soft", "jump"}, "whether the piston's velocity rises or jumps"),
-      real("periods", 3.0, "1", {0.5, 10}, "periods that are run"),
+      choice("start", "soft", {"soft", "jump"}, "soft or discontinuous start of the piston velocity"),
+      real("periods", 3.0, "1", {0.5, 10}, "length of the run in periods"),
       real("h1", 0.125, "depth", {0.02, 1}, "width of the columns"),
       integer("rows", 8, {4, 64}, "rows of cells"),
       real("tau", 0.1, "sqrt(depth/g)", {1e-3, 0.5}, "time step"),
-      choice("scheme", "one_step", {"one_step", "one_step_feedback", "conservative"}, "stepping; Frank's is the first"),
+      choice("scheme", "one_step", {"one_step", "one_step_feedback", "conservative"},
+             "time stepping; the first is Frank's"),
   };
   c.study = Study(claims, compute, show, source);
 }

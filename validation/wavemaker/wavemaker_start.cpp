@@ -1,14 +1,13 @@
 /*
-A piston or a flap hinged at the bottom starts to oscillate in water at rest. Linear theory has the exact transient: an
+A piston, or a flap hinged at the bed, starts to oscillate in water at rest. Linear theory gives the exact transient: an
 integral over wavenumbers that tends to the progressive wave of the wavemaker's transfer function, with a near field
 that decays from the paddle.
 
-**What is compared.** The case shows the elevation at a gauge and the settled wave. It scores others: submit the
-elevation at the gauge, `seiche score wavemaker_start`.
+**What is compared.** The case shows the elevation at a gauge and the settled wave. It accepts external results, the
+elevation at the gauge: `seiche score wavemaker_start`.
 
-**What to look at.** The first waves at a gauge a wavelength away are nothing like the settled one: the front
-disperses, the second crest is too low and the third too high. A comparison over a few periods must be made with the
-transient.
+**What to look at.** The first waves at a gauge one wavelength away differ from the settled wave: the front disperses,
+the second crest is too low and the third too high. A comparison over a few periods must use the transient.
 */
 #include <cmath>
 #include <memory>
@@ -65,25 +64,27 @@ std::vector<WantedTable> wanted(const Values& values) {
   const auto start = std::make_shared<const exact::WavemakerTransient>(start_of(values));
   const double gauge = gauge_of(values);
   const std::vector<double> times = times_of(values);
-  return {{.name = "gauge",
-           .kind = WantedTable::Kind::series,
-           .abscissa = Column{"t", "s", "time since the start from rest"},
-           .quantities = {{.column = {"eta", "m", fmt::format("surface elevation at x = {:.6g} m", gauge)},
-                           .reference = [start, gauge](Place p) { return start->elevation(gauge, p.abscissa); },
-                           .requirements = {within_tolerance(Measure::relative_l2, values,
-                                                             "The elevation at the gauge agrees with linear theory.",
-                                                             source)}}},
-           .points = [times](double) { return times; },
-           .exact = {fmt::format("seiche exact wavemaker_start --set kind={},depth={},gravity={},period={},stroke={} "
-                                 "--grid x={},t=0:{}:{}",
-                                 values.text("paddle"), values.real("depth"), values.real("gravity"),
-                                 values.real("period"), values.real("stroke"), gauge, times.back(), times.size())}}};
+  return {
+      {.name = "gauge",
+       .kind = WantedTable::Kind::series,
+       .abscissa = Column{"t", "s", "time since the start from rest"},
+       .quantities = {{.column = {"eta", "m", fmt::format("surface elevation at x = {:.6g} m", gauge)},
+                       .reference = [start, gauge](Place p) { return start->elevation(gauge, p.abscissa); },
+                       .requirements = {within_tolerance(
+                           Measure::relative_l2, values,
+                           "The elevation at the gauge agrees with the exact linear transient within the tolerance.",
+                           source)}}},
+       .points = [times](double) { return times; },
+       .exact = {fmt::format("seiche exact wavemaker_start --set kind={},depth={},gravity={},period={},stroke={} "
+                             "--grid x={},t=0:{}:{}",
+                             values.text("paddle"), values.real("depth"), values.real("gravity"), values.real("period"),
+                             values.real("stroke"), gauge, times.back(), times.size())}}};
 }
 
 }  // namespace
 
 void wavemaker_start(Case& c) {
-  c.title = "A wavemaker starts from rest";
+  c.title = "Wavemaker started from rest";
   c.source =
       "T. H. Havelock, Phil. Mag. 8 (1929) 569; R. G. Dean, R. A. Dalrymple, Water Wave Mechanics for Engineers and "
       "Scientists, 1991, ch. 6";
@@ -91,10 +92,10 @@ void wavemaker_start(Case& c) {
       choice("paddle", "flap", {"piston", "flap"}, "motion of the paddle"),
       real("depth", 4.0, "m", {1e-6, 1e6}, "depth"),
       real("period", 4.7, "s", {1e-6, 1e6}, "period of the paddle"),
-      real("stroke", 0.1, "m", {1e-12, 1e6}, "stroke at the still-water level; linear theory wants it small"),
+      real("stroke", 0.1, "m", {1e-12, 1e6}, "stroke at the still-water level; small in linear theory"),
       real("gravity", 9.81, "m/s^2", {1e-6, 1e6}, "acceleration of gravity"),
       real("gauge", 0.0, "m", {0, 1e6}, "distance of the gauge from the paddle; 0 is one wavelength"),
-      real("periods", 6.0, "1", {1, 1e3}, "periods that are asked for"),
+      real("periods", 6.0, "1", {1, 1e3}, "length of the requested series in periods"),
       tolerance_parameter(),
   };
   c.study = exact_study<start_of, show>(source);

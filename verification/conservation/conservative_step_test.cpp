@@ -44,11 +44,11 @@ TEST_CASE("energy of a cubic potential and rigid links are exact at once", "[con
   };
   const auto plain = run(false);
   const auto composed = run(true);
-  check.that("energy", "Energy of the chain is conserved to round-off.", "largest energy defect",
+  check.that("energy", "Energy of the chain is conserved to round-off.", "largest energy error",
              {largest(std::array{plain.first, composed.first})},
              Roundoff{20000, 10, "one rounded energy, of terms up to 10, per step"});
   check.from("bilinear constraints at the middle")
-      .that("links", "Link lengths of the chain are conserved to round-off.", "largest link defect",
+      .that("links", "Link lengths of the chain are conserved to round-off.", "largest link error",
             {largest(std::array{plain.second, composed.second})},
             Roundoff{20000, 3, "one rounded coordinate, up to 3, per step"});
 }

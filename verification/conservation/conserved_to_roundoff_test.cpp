@@ -111,11 +111,11 @@ TEST_CASE("hexahedra keep momenta without walls, energy and volumes with the con
                        "for e = exp(-1.2 r^2), 2.6 square depths"},
               hump.model.potential_energy(hump.start.q)},
              {"volume_worst", places(60 * 24, 6 / 0.2), hump.cell()}});
-  check.holds("Nodes on the bottom stay on it.", {off.bottom.value()},
+  check.holds("The distance of bed nodes from the bed is zero to round-off.", {off.bottom.value()},
               Roundoff{60 * 3, 6,
                        "three rounded places, up to 6 depths, per step; the bottom is of degree three, and Gauss's "
                        "rule exact"});
-  check.holds("Nodes on the bottom that slide along the oblique wall stay at it.", {off.wall.value()},
+  check.holds("The distance of sliding bed nodes from the oblique wall is zero to round-off.", {off.wall.value()},
               Roundoff{60 * 2, 6, "two rounded places, up to 6 depths, per step"});
 }
 

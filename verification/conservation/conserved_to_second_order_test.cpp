@@ -34,8 +34,9 @@ struct Row {
 
 /// Orders of every row, and a figure.
 void judge(Check& check, const std::vector<Row>& rows) {
-  auto& panel = check.figure("orders", "What errs by the square of the step", "Largest defect against the step.")
-                    .panel({.x = "tau", .y = "defect", .log_x = true, .log_y = true});
+  auto& panel =
+      check.figure("orders", "What errs by the square of the step", "Largest conservation error against the step.")
+          .panel({.x = "tau", .y = "defect", .log_x = true, .log_y = true});
   for (const Row& row : rows) {
     std::vector<Errors> all(row.what.size());
     for (const double tau : row.taus) {
@@ -44,7 +45,8 @@ void judge(Check& check, const std::vector<Row>& rows) {
     }
     for (std::size_t i = 0; i < all.size(); ++i) {
       const std::string what = row.flow + ", " + row.what[i];
-      check.holds(what + ": the largest defect is of second order.", observed_order(row.taus, all[i]), row.order);
+      check.holds(what + ": the largest conservation error is second-order in the step.",
+                  observed_order(row.taus, all[i]), row.order);
       panel.line(what, row.taus, all[i]);
     }
   }

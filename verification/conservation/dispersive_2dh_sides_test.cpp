@@ -89,7 +89,7 @@ TEST_CASE("a moving window of the 2DH model holds the same wave as a long tank",
     differences.push_back(difference.value());
   }
   auto& figure = check.figure("difference", "A moving window against a long tank",
-                              "Largest difference of places and elevations within 15 depths of the crest.");
+                              "Largest difference of positions and elevations within 15 h of the crest.");
   figure.panel({.x = "t sqrt(g/H)", .y = "difference / H", .log_y = true}).line("window", times, differences);
   check.that("same", "The wave in the moving window agrees with the long tank within 1e-7 depths.",
              "largest difference of a place or elevation within 15 depths of the crest",
@@ -111,7 +111,7 @@ TEST_CASE("a driven side of the 2DH model lets a solitary wave in", "[conservati
       source);
   refine(check, {"h", {0.75, 0.5, 0.375, 0.25, 0.1875}},
          {{"order",
-           "The wave within 6 depths of its crest is of second order.",
+           "The error of the surface within 6 h of the crest converges at second order.",
            {2, 0.3, "second order in h and tau; coarse cells have parts of fourth"}}},
          inflow_error);
 }

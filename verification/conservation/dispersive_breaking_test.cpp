@@ -124,14 +124,14 @@ TEST_CASE("breaking keeps mass and momentum and takes energy", "[conservation]")
   }
   const double operations = steps * 320;
   check.from(source).that("momentum", "Momentum of the breaking wave is conserved to round-off.",
-                          "largest defect over the momentum", {flow.ledger().largest_defect("momentum") / momentum},
+                          "largest error over the momentum", {flow.ledger().largest_defect("momentum") / momentum},
                           Roundoff{operations, 4, "a rounded force per marker and step"});
   check.from("formula 10")
-      .that("volumes", "The volume of every cell stays.", "largest defect",
+      .that("volumes", "The volume of every cell is conserved to round-off.", "largest defect",
             {flow.ledger().largest_defect("volume_worst")}, Roundoff{steps, 40, "a rounded place, up to 40, per step"});
   check.from("energy balance")
-      .that("energy", "Energy and what breaking took of it stay.", "largest defect over the energy",
-            {flow.ledger().largest_defect("energy") / energy},
+      .that("energy", "The sum of energy and dissipation by breaking is conserved to round-off.",
+            "largest error over the energy", {flow.ledger().largest_defect("energy") / energy},
             Roundoff{operations, 4, "a rounded term per marker and step"});
   check.from("an implicit exchange between pairs")
       .that("takes", "The breaking term gives back no energy in any step.", "largest gain over the energy",
@@ -171,7 +171,7 @@ TEST_CASE("behind a breaking bore in 2DH stands the conjugate depth", "[conserva
 
 TEST_CASE("a low bore stays undular", "[conservation]") {
   Check check("dispersive_breaking_undular", "A bore that does not break",
-              "A dam 1.6 times as high as the water before it: the bore's Froude number is 1.2.");
+              "A dam 1.6 times as high as the water ahead: the Froude number of the bore is 1.2.");
   Flow flow = dam_break(1.6, 60, 0.25);
   march(flow, 20, stable_steps(flow, 0.08));
   check.from("Favre (1935): bores below 1.3 are undular")
@@ -196,7 +196,7 @@ TEST_CASE("a zigzag of markers over shallow water dies out", "[conservation]") {
   const double exact = (fast * std::exp(-2 * slow) - slow * std::exp(-2 * fast)) / (fast - slow);
   refine(check, {"tau", widths(0.05 / omega, {1, 2, 4, 8})},
          {{"dies-out",
-           "The zigzag dies out as it should, at t = 2/omega.",
+           "The amplitude of the zigzag at t = 2/omega converges at first order to the exact damped oscillation.",
            {1, 0.1, "the exchange is Euler's implicit rule"}}},
          [&](double tau) {
            Flow flow = zigzag(0.1);
@@ -206,7 +206,7 @@ TEST_CASE("a zigzag of markers over shallow water dies out", "[conservation]") {
   Flow deep = zigzag(0.3);
   for (int n = 0; n < 50; ++n) deep.advance(0.05);
   check.from("breaking.hpp")
-      .that("left-alone", "The energy that breaking takes in water deeper than the spacing of the markers is zero.",
+      .that("left-alone", "The energy dissipated by breaking in water deeper than the node spacing is zero.",
             "energy taken", {deep.lost().breaking}, Bound{0, "no exchange"});
 }
 

@@ -157,7 +157,7 @@ TEST_CASE("a solitary wave of dispersive shallow water: what each scheme conserv
     momentum.add(d.momentum);
   }
   check.that("conservative-energy", "Energy is conserved to round-off (conservative scheme).",
-             "largest relative energy defect", {.value = c.energy, .resolution = "tau = 0.05"},
+             "largest relative energy error", {.value = c.energy, .resolution = "tau = 0.05"},
              Roundoff{static_cast<double>(c.steps), 1, "one rounded energy per step"});
   // Rounding a place between 32 and 60 errs by ulp/sqrt(12) = 2e-15; two markers, 2000 steps: 1.3e-13.
   const std::string volume_reason =
@@ -165,19 +165,19 @@ TEST_CASE("a solitary wave of dispersive shallow water: what each scheme conserv
       "largest of 246 cells at all times goes to five of it";
   check.that("conservative-volume",
              "The volume of every cell is conserved within the 1e-12 of its rounding (conservative scheme).",
-             "largest volume defect [depth^2]", {.value = c.volume, .resolution = "tau = 0.05"},
+             "largest volume error [depth^2]", {.value = c.volume, .resolution = "tau = 0.05"},
              Bound{1e-12, volume_reason});
   check.that("conservative-feedback-energy",
              "Energy is conserved within the 1e-13 of its rounding (conservative scheme with feedback).",
-             "largest relative energy defect", {.value = held.energy, .resolution = "tau = 0.05"},
+             "largest relative energy error", {.value = held.energy, .resolution = "tau = 0.05"},
              Bound{1e-13,
                    "the feedback does the work of lambda, about 0.2 under the wave, on volumes rounded by 3e-15 in "
                    "some 20 cells: 1e-14 of the wave's 0.3, which the next rounding returns; ten times that"});
   check.that("conservative-feedback-volume", "Volumes do not accumulate rounding (conservative scheme with feedback).",
-             "largest volume defect [depth^2]", {.value = held.volume, .resolution = "tau = 0.05"},
+             "largest volume error [depth^2]", {.value = held.volume, .resolution = "tau = 0.05"},
              Roundoff{2, 60, "the places of two markers, up to 60"});
   check.that("momentum", "Momentum is conserved within the 1e-14 of a random walk of roundings with every scheme.",
-             "largest relative momentum defect", {momentum.value()},
+             "largest relative momentum error", {momentum.value()},
              Bound{1e-14,
                    "rates up to 0.26 of some 40 markers of mass 0.25 under the wave, each rounded by 3e-17 rms in up "
                    "to 8000 steps, walk 4e-15, beside the wave's momentum of 1.6"});
@@ -304,8 +304,8 @@ TEST_CASE("run-up and full run-down on a mild slope: what each scheme conserves"
            order(2)},
           {"one-step-volume-order", "The volume error on the beach is second-order in the step (one-step scheme).",
            order(2)},
-          {"feedback-energy-order", "With feedback: the energy defect is of second order.", order(2)},
-          {"feedback-volume-order", "With feedback: the volume defect is of third order.", order(3)}},
+          {"feedback-energy-order", "The energy error with feedback is second-order in the step.", order(2)},
+          {"feedback-volume-order", "The volume error with feedback is third-order in the step.", order(3)}},
          [&](double step) {
            const double fineness = synolakis.spacing / 4 / step;
            const Defects a = synolakis_defects({}, fineness);

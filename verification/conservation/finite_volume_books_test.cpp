@@ -59,13 +59,14 @@ TEST_CASE("finite-volume schemes conserve mass and momentum to round-off", "[con
     }
     CHECK(basin.ledger().mass_left == 0);
     CHECK(basin.ledger().mass_right == 0);
-    check.holds(id + "-mass: The closed basin keeps its mass.", {basin.mass_defect()}, mass_limit);
-    check.holds(id + "-momentum: Momentum changes by the impulses of the walls only.", {basin.momentum_defect()},
-                momentum_limit);
-    check.holds(id + "-open-mass: Mass changes by what passes the open ends only.", {open.mass_defect()},
-                open_mass_limit);
-    check.holds(id + "-open-momentum: Momentum changes by what passes the open ends only.", {open.momentum_defect()},
-                open_momentum_limit);
+    check.holds(id + "-mass: The mass in the closed basin is conserved to round-off.", {basin.mass_defect()},
+                mass_limit);
+    check.holds(id + "-momentum: The momentum change equals the impulses of the walls to round-off.",
+                {basin.momentum_defect()}, momentum_limit);
+    check.holds(id + "-open-mass: The mass change equals the flux through the open ends to round-off.",
+                {open.mass_defect()}, open_mass_limit);
+    check.holds(id + "-open-momentum: The momentum change equals the flux through the open ends to round-off.",
+                {open.momentum_defect()}, open_momentum_limit);
   }
 }
 
@@ -130,7 +131,7 @@ TEST_CASE("the seams between blocks of a finite-volume channel leave no trace", 
   };
   check.holds("Mass of the water in the channel is conserved to round-off.", {flow.mass_defect()},
               roundoff(2, "three roundings per cell and stage of contents up to 2 m^2"));
-  check.holds("What the impulses of walls, bed and friction do not explain of the momentum is round-off.",
+  check.holds("The momentum change equals the impulses of walls, bed and friction to round-off.",
               {flow.momentum_defect()},
               roundoff(2, "three roundings per cell and stage of discharges and of tau g h^2/2, up to 2 m^3/s a cell"));
 }

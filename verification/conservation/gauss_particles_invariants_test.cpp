@@ -94,7 +94,7 @@ void keeps(Check& check, const std::string& id, const std::string& text, const D
   const auto claim = [&](const std::string& what, double value, double scale, const std::string& reason) {
     const evidence::Claim statement{.id = id + "-" + what,
                                     .text = text + ": " + what + " to round-off.",
-                                    .quantity = "largest defect of the " + what,
+                                    .quantity = "largest error of the " + what,
                                     .source = source};
     check.that(statement, {.value = value, .resolution = resolution},
                Roundoff{steps, scale, "one rounded velocity per step; scale: " + reason});

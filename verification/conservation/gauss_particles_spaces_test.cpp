@@ -74,7 +74,8 @@ TEST_CASE("a momentum of free particles is kept if and only if the space holds i
     const InvariantsLedger ledger = all.run();
     kept("Energy is conserved to round-off with all linear fields.", ledger.largest_defect("energy"), 3 * mass);
     kept("Momentum is conserved to round-off with all linear fields.", ledger.largest_defect("momentum"), 3 * mass);
-    kept("With all linear fields: angular momentum.", ledger.largest_defect("angular"), 3 * mass);
+    kept("Angular momentum is conserved to round-off with all linear fields.", ledger.largest_defect("angular"),
+         3 * mass);
   }
   {
     Problem no_rotation(without(2), mixed);
@@ -94,16 +95,17 @@ TEST_CASE("a momentum of free particles is kept if and only if the space holds i
     watch.record(problem.state);
     check.holds(text, {watch.ledger().entry(entry).value / first}, Roundoff{48, 1, "a sum over 48 particles", -1});
   };
-  reflected("Without the rotation the angular momentum changes sign.", 2, turning, "angular_momentum_z");
+  reflected("The angular momentum changes sign in a space without the rotation.", 2, turning, "angular_momentum_z");
   reflected(
-      "Without the translation along x the momentum along x changes sign.", 0,
+      "The momentum along x changes sign in a space without the translation along x.", 0,
       [](Point) {
         return Point{1, 0};
       },
       "momentum_x");
   {
     Problem odd({{{1, 3, 2}}}, mixed);
-    kept("With a single field, of the stream function x^3 y^2: energy.", odd.run().largest_defect("energy"), 3 * mass);
+    kept("Energy is conserved to round-off with the single field of stream function x^3 y^2.",
+         odd.run().largest_defect("energy"), 3 * mass);
   }
 }
 
@@ -206,8 +208,8 @@ TEST_CASE("markers among free particles are never reflected", "[conservation]") 
   state.u[count + marker] = own.y;
   OneStep<Model> step(model);
   step.step(state, tau);
-  check.that("velocity", "The marker has the velocity of the water.", "distance of the velocities",
-             {std::hypot(state.u[marker] - water.x, state.u[count + marker] - water.y)},
+  check.that("velocity", "The velocity of the marker equals the water velocity to round-off.",
+             "distance of the velocities", {std::hypot(state.u[marker] - water.x, state.u[count + marker] - water.y)},
              Roundoff{100, 1, "a projection of 48 particles onto five fields"});
 }
 

@@ -153,7 +153,7 @@ TEST_CASE("a pressure pattern on the surface of the mesh drives a standing wave 
         panel.line("oscillator", time, expected, Role::exact);
         panel.points("mesh", time, computed, Role::computed);
       }
-      check.holds(scheme.text + ": the elevation is that of the oscillator.", {worst.value() / highest.value()},
+      check.holds(scheme.text + ": the elevation agrees with the oscillator.", {worst.value() / highest.value()},
                   Bound{steps * tau * omega * highest.value() * highest.value() +
                             4 * std::numeric_limits<double>::epsilon() * std::sqrt(10.0 * steps) / highest.value(),
                         "third-order terms: the square of the elevation, in depths, times the phase that has passed; "

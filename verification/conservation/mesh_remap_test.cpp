@@ -104,10 +104,10 @@ TEST_CASE("a remap of the mesh in the vertical plane keeps momentum", "[conserva
     off.add(stream.velocity[k].x - 1);
     off.add(stream.velocity[k].y + 0.5);
   }
-  check.that("same", "A remap to where the mesh is changes nothing.", "largest difference of a velocity [m/s]",
-             {changed.value()}, rounded);
-  check.that("stream", "Water of one velocity stays so.", "largest difference of a velocity [m/s]", {off.value()},
-             rounded);
+  check.that("same", "The velocity change by a remap to the same positions is zero to round-off.",
+             "largest difference of a velocity [m/s]", {changed.value()}, rounded);
+  check.that("stream", "The uniform velocity of water is preserved by the remap to round-off.",
+             "largest difference of a velocity [m/s]", {off.value()}, rounded);
 }
 
 TEST_CASE("a rezoned mesh keeps its water and books its energy", "[conservation]") {
@@ -135,7 +135,7 @@ TEST_CASE("a rezoned mesh keeps its water and books its energy", "[conservation]
              {spilt.value()},
              Roundoff{40 * 8 * (steps + rezoned), 1, "every cell's area rounds in every step and in every rezoning"});
   check.from("Frank (1994), chapter 1")
-      .that("booked", "With what rezoning took, energy is conserved to round-off.",
+      .that("booked", "The sum of energy and booked loss of rezoning is conserved to round-off.",
             "largest change over the first value", {drift.value()},
             Roundoff{(steps + rezoned) * 41 * 9, 1,
                      "each step and each rezoning rounds the energy, a sum over the nodes, anew"});
@@ -157,8 +157,8 @@ TEST_CASE("a rezoned mesh keeps its water and books its energy", "[conservation]
     apart.add(places.x[k] - lake.x[k]);
     apart.add(places.y[k] - lake.y[k]);
   }
-  check.that("lake", "The columns of a lake at rest are where they belong.", "largest way of a node [m]",
-             {apart.value()}, Roundoff{100, 10, "areas of columns from places of 10 m"});
+  check.that("lake", "The displacement of columns by rezoning a lake at rest is zero to round-off.",
+             "largest way of a node [m]", {apart.value()}, Roundoff{100, 10, "areas of columns from places of 10 m"});
 }
 
 TEST_CASE("columns that are put upright again keep their water and their slope", "[conservation]") {
@@ -220,8 +220,8 @@ TEST_CASE("columns that are put upright again keep their water and their slope",
       Bound{0.25 * 0.25 / 8,
             "the polygon of an edge is off by its curvature times its width squared over eight: up to 0.8/m "
             "where the water is 0.8 m deep, and a quarter of a metre"});
-  check.that("slope", "Every column has its first direction again.", "largest distance of a node from the line [m]",
-             {bent.value()}, Roundoff{100, 10, "places of 10 m"});
+  check.that("slope", "The distance of nodes from the initial line of their column is zero to round-off.",
+             "largest distance of a node from the line [m]", {bent.value()}, Roundoff{100, 10, "places of 10 m"});
 }
 
 }  // namespace seiche::verification::mesh_remap_test

@@ -189,10 +189,10 @@ TEST_CASE("the corrected start leaves an alternation of third order", "[conserva
   const auto amplitudes =
       refine(check, {"tau", falling(0.016, 5), "start", "Alternation of the multipliers"},
              {{"projected",
-               "The alternation of the multipliers after a projected start is of first order in tau.",
+               "The alternation of the multipliers after a projected start is first-order in tau.",
                {1, 0.05, "w^0 = 0 instead of O(tau^2), divided by tau"}},
               {"smooth",
-               "After a corrected start they alternate by O(tau^3).",
+               "The alternation of the multipliers after a corrected start is third-order in tau.",
                {3, 0.1, "w_s has even powers of tau: what it leaves is O(tau^4), divided by tau"}},
               {"second-differences",
                "Second differences after a corrected start are second-order in the step: the motion's own.",
@@ -229,7 +229,7 @@ TEST_CASE("reprojection cures the parasitic mode of very long runs", "[conservat
   const LongRun wild = free_chain_run(0, steps, tau);
   const LongRun cured = free_chain_run(1000, steps, tau);
   check.at("tau = 0.01, 1e6 steps");
-  check.that("growth", "Without cure the multipliers alternate by more than 10 after 1e6 steps.",
+  check.that("growth", "The alternation of the multipliers without reprojection exceeds 10 after 1e6 steps.",
              "alternation exceeds 10", {wild.parasite.back() > 10 ? 1.0 : 0.0},
              Qualitative{"amplitude of the alternation > 10", "the multipliers are of order 1"});
   refine(check, {"tau", falling(tau, 5), "jump", "Largest jump of a multiplier"},
@@ -247,7 +247,7 @@ TEST_CASE("reprojection cures the parasitic mode of very long runs", "[conservat
              quantity + "1000 steps after a reprojection less 100 steps after", {growth(cured.early, parasite)},
              Bound{3, "no growth at three standard errors; samples are 1000 steps apart"});
   check.that("cured-momentum", "Momentum is conserved to round-off by the reprojections.",
-             "largest momentum defect over 1e6 steps", {cured.momentum},
+             "largest momentum error over 1e6 steps", {cured.momentum},
              Roundoff{1e6, cured.scales.momentum, "one rounded update of sum m|u| per step"});
   auto& figure = check.figure("parasitic", "Alternation of the multipliers", "Every 1000 steps, before reprojection.");
   auto& panel = figure.panel({.x = "time", .y = "amplitude of the alternation", .log_y = true});

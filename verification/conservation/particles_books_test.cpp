@@ -36,12 +36,12 @@ TEST_CASE("mass, length and momentum of a closed basin over 1e5 steps", "[conser
     }
   }
   check.at("N = 500, tau = 0.01 s, 1e5 steps");
-  check.that("mass", "Mass of the closed basin is constant, bitwise.", "mass defect [m^2]", {flow.mass_defect()},
+  check.that("mass", "Mass of the closed basin is constant, bitwise.", "mass error [m^2]", {flow.mass_defect()},
              Roundoff{0, 150, "masses are never written: no operation is rounded"});
-  check.that("length", "The length of the closed basin is constant, bitwise.", "length defect [m]",
+  check.that("length", "The length of the closed basin is constant, bitwise.", "length error [m]",
              {flow.length() - 100}, Roundoff{0, 100, "the edges at the walls move by exact zeros"});
   const double impulse = flow.ledger().left_impulse.value();
-  check.that("momentum", "Momentum minus the walls' impulses stays constant.", "momentum defect [m^3/s]",
+  check.that("momentum", "Momentum minus the impulses of the walls is constant to round-off.", "momentum error [m^3/s]",
              {flow.momentum_defect()},
              Roundoff{6 + 1e5 / 500 * std::pow(420 / impulse, 2), impulse,
                       "the books of the two walls, their sum, and what is left of three numbers are rounded once, as "
@@ -49,7 +49,7 @@ TEST_CASE("mass, length and momentum of a closed basin over 1e5 steps", "[conser
                       "each particle, 420/500 at most"});
   // One bore crosses the basin for ever. Where the water beside it is not uniform, the mean of the next particle
   // differs from the state that the jump is between, and the jump is found in both.
-  check.that("adjacent", "No two neighbouring particles keep a jump of the same facing.",
+  check.that("adjacent", "The number of neighbouring particles with jumps of the same direction is zero.",
              "pairs of them over all steps", {static_cast<double>(adjacent)}, Bound{0, "the smaller one is dropped"});
   check.that("dropped", "The part of a particle with a dropped event that lies beyond its jump is less than half.",
              "largest part of such a particle beyond the jump", {flow.events().discarded_inside.value()},
@@ -77,9 +77,9 @@ TEST_CASE("everything that pushes the water is booked", "[conservation]") {
                                     ledger.friction_impulse, ledger.source_impulse}) {
     least.add(std::abs(one.value()));
   }
-  check.holds("Momentum minus the booked impulses stays constant.", {flow.momentum_defect()},
+  check.holds("Momentum minus the booked impulses is constant to round-off.", {flow.momentum_defect()},
               Roundoff{5.0 * count * 100, 0.2, "five rounded impulses of at most 0.2 per particle and step"});
-  check.holds("Each of the five has a part in it.", {least.value() > 0.01 ? 1.0 : 0.0},
+  check.holds("Each of the five impulses contributes.", {least.value() > 0.01 ? 1.0 : 0.0},
               Qualitative{"each above 0.01 m^3/s", "what is nothing could be booked with any sign"});
 }
 
@@ -112,12 +112,13 @@ TEST_CASE("a lake over an uneven bed stays at rest", "[conservation]") {
   // The mean bed of a particle is a difference of primitives of size 8 over a width of 0.05: 2e-14 of surface, and
   // g times its slope (over the width) times the step is the velocity that starts.
   check.at("N = 200, tau = 0.005 s, 1e4 steps");
-  check.that("velocity", "Particle velocities of the lake at rest stay zero to round-off.", "largest speed [m/s]",
+  check.that("velocity", "Particle velocities of the lake at rest are zero to round-off.", "largest speed [m/s]",
              {fastest.value()},
              Roundoff{1e4, 2.8, "one rounded balance of thrusts and bed per step; scale is the celerity"});
-  check.that("drift", "Edges of the lake at rest do not drift.", "largest displacement [m]", {drift.value()},
+  check.that("drift", "The displacement of particle edges of the lake at rest is zero to round-off.",
+             "largest displacement [m]", {drift.value()},
              Roundoff{1e4, 10, "one rounded displacement per step; scale is position"});
-  check.from(source).that("momentum", "Momentum equals the booked impulses of ends and bed.", "momentum defect [m^3/s]",
+  check.from(source).that("momentum", "Momentum equals the booked impulses of ends and bed.", "momentum error [m^3/s]",
                           {flow.momentum_defect()},
                           Roundoff{1e4, 3.1 * 0.005 * 200,
                                    "one rounded sum of 200 reactions per step; scale is thrust times step times 200"});

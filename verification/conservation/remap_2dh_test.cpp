@@ -89,8 +89,8 @@ TEST_CASE("a remap of the 2DH model keeps a stream", "[conservation]") {
     off.add(now.velocity[k].w);
     off.add(now.lattice.z[k]);
   }
-  check.that("stream", "A stream of one velocity under a level surface stays one.", "largest difference",
-             {.value = off.value(), .resolution = "16 x 16 cells"}, rounded);
+  check.that("stream", "The uniform velocity under a level surface is preserved by the remap to round-off.",
+             "largest difference", {.value = off.value(), .resolution = "16 x 16 cells"}, rounded);
 }
 
 TEST_CASE("a remap of the 2DH model onto cells that have no area in a corner is infeasible", "[conservation]") {
@@ -120,11 +120,10 @@ TEST_CASE("a remap of the 2DH model keeps water and momentum and lets no column 
   Smallest depth;
   for (const double z : now.lattice.z) depth.add(z + 1);
   check.at("16 x 16 cells");
-  check.that("wet", "Depths of all columns stay positive after the remap.", "smallest depth is positive",
+  check.that("wet", "Depths of all columns are positive after the remap.", "smallest depth is positive",
              {depth.value() > 0 ? 1.0 : 0.0},
              Qualitative{"above the bottom", "a column sinks by a part of its depth in a pass"});
-  check.that("told",
-             "The water that the remap puts elsewhere than it was swept is more than zero and at most 5 % of all.",
+  check.that("told", "The water redistributed by the limiter of the remap is more than zero and at most 5 % of all.",
              "that water over all", {now.displaced / sum(model.first_volumes())},
              Bound{0.025 - 1e-6, "some, less than a twentieth", 0.025});
   check.from(source).that("water", "The volume of the water is conserved to round-off.", "change of the volume [m^3]",
@@ -217,8 +216,9 @@ TEST_CASE("a lattice that follows the shore draws films back and keeps its width
   for (std::size_t j = 1; j < lake.shape.rows; ++j) {
     pressed.add(std::min(0.0, width(cut, ahead, j) / width(as_it_comes, ahead, j) - 0.7));
   }
-  check.that("pressed", "No cell of its column is pressed by more than 0.3.", "width left below 0.7 of what it was",
-             {pressed.value()}, Roundoff{10, 10, "differences of places up to 10 m away"});
+  check.that("pressed", "The narrowest cell of a column retains at least 0.7 of its width.",
+             "width left below 0.7 of what it was", {pressed.value()},
+             Roundoff{10, 10, "differences of places up to 10 m away"});
   check.that("drawn", "The width of a film that is drawn back agrees with the wedge of the given slope within 1 %.",
              "width of the cells at the shoreline over the square root of what the slope lacks, less 1", {off.value()},
              Bound{0.01,
@@ -226,14 +226,14 @@ TEST_CASE("a lattice that follows the shore draws films back and keeps its width
                    "some mm in half a metre"});
   const Remapped after = remap(thin, state.q, state.u, drawn.x, drawn.y);
   const Model next(after.lattice, {.gravity = validation::ConicalIsland::gravity});
-  check.from(source).that("water", "The film's water goes with it.", "change of the volume over it",
+  check.from(source).that("water", "The volume of the film is conserved to round-off.", "change of the volume over it",
                           {sum(next.first_volumes()) / sum(thin.first_volumes()) - 1},
                           Roundoff{static_cast<double>(lake.shape.cells()), 1,
                                    "every cell's volume rounds its own differences of places of the basin's size"});
   std::vector<double> moved_down = after.lattice.x;
   moved_down.insert(moved_down.end(), after.lattice.y.begin(), after.lattice.y.end());
   moved_down.insert(moved_down.end(), after.lattice.z.begin(), after.lattice.z.end());
-  check.that("downhill", "Potential energy of the film falls: the water goes downhill.",
+  check.that("downhill", "The potential energy of the film falls as the water is drawn downhill.",
              "potential energy after is less than before",
              {thin.potential_energy(moved_down) < thin.potential_energy(state.q) ? 1.0 : 0.0},
              Qualitative{"less than before", "water leaves the slope above the others"});
@@ -258,7 +258,7 @@ TEST_CASE("a lattice that follows the shore draws films back and keeps its width
     const double slope = 2 * mean_depth(sheet, sheeted.first_volumes(), i, 2) / both(sheet, i);
     off_rows.add(both(gathered, i) / both(sheet, i) / std::sqrt(slope / edge_slope) - 1);
   }
-  check.that("drawn-rows", "A film over two rows is drawn back as one.",
+  check.that("drawn-rows", "The width of a film over two rows agrees with the wedge of the given slope within 1 %.",
              "width of both rows of cells over the square root of what the slope lacks, less 1", {off_rows.value()},
              Bound{0.01, "as of one row: markers of a row that is no circle move by some mm in decimetres"});
 
@@ -320,7 +320,8 @@ TEST_CASE("fronts break on while their lattice is rezoned", "[conservation]") {
     const bool anew = flow.rezoned() > std::exchange(rezoned, flow.rezoned());
     if (anew && flow.flow().model().breaking().going_on() > 0) ++remembered;
   });
-  check.that("go-on", "What broke before a rezoning breaks on after it, though it is not steep any more.",
+  check.that("go-on",
+             "The number of fronts that continue breaking after a rezoning, though no longer steep, is positive.",
              "steps with such fronts after a rezoning, more than none",
              {.value = remembered > 0 ? 1.0 : 0.0,
               .resolution = fmt::format("columns 1 m apart, {} steps, rezoned {} times", flow.steps(), flow.rezoned())},
@@ -347,14 +348,14 @@ TEST_CASE("a rezoned flow around an island keeps its water and books the energy 
   const auto cells_of_all = static_cast<double>(flow.flow().shape().cells());
   const auto steps = static_cast<double>(flow.steps());
   check.at(fmt::format("columns 1 m apart, {} steps, rezoned {} times", flow.steps(), flow.rezoned()));
-  check.that("rezoned", "The lattice is rezoned in at least one step, and not in every step.", "times",
+  check.that("rezoned", "The mesh is rezoned in at least one step, and not in every step.", "times",
              {static_cast<double>(flow.rezoned())},
              Bound{steps / 2 - 0.5, "once or more, not in every step", steps / 2});
   check.that("water", "The volume of the water is conserved to round-off.", "largest change over the first volume",
              {spilt.value()},
              Roundoff{cells_of_all, 1, "every cell's volume rounds its own differences of places of the basin's size"});
   check.from("Frank (1994), chapter 1")
-      .that("booked", "With what rezoning took, energy is conserved to round-off.",
+      .that("booked", "The sum of energy and booked loss of rezoning is conserved to round-off.",
             "largest change over the first value", {drift.value()},
             Roundoff{static_cast<double>(flow.steps() + flow.rezoned()), 100,
                      "places of 20 m and sides of 0.2 m next to the shore: each step and each rezoning rounds their "
@@ -378,8 +379,8 @@ TEST_CASE("a rezoned flow around an island keeps its water and books the energy 
     apart.add(places.x[k] - lake.x[k]);
     apart.add(places.y[k] - lake.y[k]);
   }
-  check.that("lake", "The lattice of a lake at rest is where it belongs.", "largest way of a node [m]", {apart.value()},
-             Roundoff{10, 20, "a cubic at its own node, places of 20 m"});
+  check.that("lake", "The displacement of nodes by rezoning a lake at rest is zero to round-off.",
+             "largest way of a node [m]", {apart.value()}, Roundoff{10, 20, "a cubic at its own node, places of 20 m"});
   const Remapped same = remap(still, rest.q, rest.u, lake.x, lake.y);
   Worst risen;
   for (std::size_t k = 0; k < lake.shape.nodes(); ++k) {
@@ -388,7 +389,8 @@ TEST_CASE("a rezoned flow around an island keeps its water and books the energy 
     risen.add(same.velocity[k].v);
     risen.add(same.velocity[k].w);
   }
-  check.that("rest", "A remap to where it is leaves it at rest.", "largest elevation or velocity", {risen.value()},
+  check.that("rest", "Elevation and velocity after a remap of a lake at rest are zero to round-off.",
+             "largest elevation or velocity", {risen.value()},
              Roundoff{100, 20, "volumes of cells from places of 20 m"});
 }
 

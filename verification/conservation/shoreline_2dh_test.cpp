@@ -83,10 +83,10 @@ TEST_CASE("still water with moving shorelines stays still", "[conservation]") {
     straight.advance(0.1);
     round.advance(0.1);
   }
-  check.that("straight", "Velocities between straight shores stay zero.", "largest velocity", {fastest(straight)},
-             Bound{0, "every force is exactly zero"});
-  check.that("round", "Velocities inside a circular shore stay zero.", "largest velocity", {fastest(round)},
-             Roundoff{200, 1, "elevations rounded once, of depth 1, and 200 steps"});
+  check.that("straight", "Velocities of still water between straight shores are exactly zero.", "largest velocity",
+             {fastest(straight)}, Bound{0, "every force is exactly zero"});
+  check.that("round", "Velocities of still water inside a circular shore are zero to round-off.", "largest velocity",
+             {fastest(round)}, Roundoff{200, 1, "elevations rounded once, of depth 1, and 200 steps"});
 }
 
 TEST_CASE("energy and volumes are conserved with moving shorelines", "[conservation]") {
@@ -128,7 +128,7 @@ TEST_CASE("water in a parabolic canal swings with Thacker's frequency", "[conser
   std::vector<double> spacings, errors;
   const double period = 2 * std::numbers::pi * half_width / std::sqrt(2.0);
   auto& panel =
-      check.figure("swing", "The western shore", "Place of the marker over one period; columns of 1, 1/2, 1/4.")
+      check.figure("swing", "The western shore", "Position of the node over one period; columns of 1, 1/2, 1/4.")
           .panel({.x = "t/period", .y = "x + 10 [depth]"});
   for (const std::size_t columns : {20, 40, 80}) {
     Flow flow(moved_water(columns, 0.5));
@@ -145,7 +145,7 @@ TEST_CASE("water in a parabolic canal swings with Thacker's frequency", "[conser
     panel.line(fmt::format("{} columns", columns), time, shore);
     if (columns == 80) panel.line("Thacker", time, swing, Role::exact);
   }
-  check.that("swing", "The shoreline goes up and down as in the exact solution.",
+  check.that("swing", "The shoreline position agrees with Thacker's exact solution to the order of dispersion.",
              "largest difference over the amplitude", {.value = errors.back(), .resolution = "80 columns"},
              Bound{0.06, "dispersion: 2 pi times (1/10)^2"});
 }

@@ -85,12 +85,12 @@ TEST_CASE("smoothed motion leaves the centre of mass to the momentum", "[conserv
     smoothed += p.mass[a] * (rates.dx[a] * p.u[a] + rates.dz[a] * p.w[a]);
     square += p.mass[a] * (p.u[a] * p.u[a] + p.w[a] * p.w[a]);
   }
-  check.that("centre", "Smoothing the motion does not move the centre of mass.",
+  check.that("centre", "The velocity of the centre of mass is unchanged by smoothing of the motion to round-off.",
              "sum m (dr/dt - u) over its absolute sum", {drift / scale},
              Roundoff{20.0 + 1250, 0.05,
                       "20 pairs per particle, and a sum of 1250 terms, of relative size 1/sqrt(1250) each"});
   check.from("Monaghan, J. Comput. Phys. 82 (1989) 1")
-      .that("direction", "Smoothing draws particles towards the motion of their neighbours.",
+      .that("direction", "The smoothing of the motion reduces velocity differences between neighbours.",
             "sum m dr/dt . u below sum m u . u", {smoothed < square ? 1.0 : 0.0},
             Qualitative{"sum m dr/dt . u < sum m u . u", "the weights are positive: each pair contributes -|u_ab|^2"});
 }
@@ -106,12 +106,12 @@ TEST_CASE("energy and angular momentum are conserved to the order of the steps",
   refine(
       check, {"dt [s]", widths(0.2, {100, 141, 200, 283})},
       {{"energy-order",
-        "Energy drifts with the third order of the step.",
+        "The energy drift is third-order in the step.",
         {3, 0.3,
          "the growth of sound, (omega dt)^4/4 per step, dominates at steps near the acoustic limit; the energy is not "
          "quadratic, so that a second-order part shows below a quarter of it"}},
        {"angular-momentum-order",
-        "Angular momentum drifts with the second order of the step.",
+        "The angular momentum drift is second-order in the step.",
         {2, 0.25, "order of the midpoint rule; a third-order share at the longest steps"}}},
       [&](double step) {
         Flow flow(patch, spacing,
@@ -126,8 +126,8 @@ TEST_CASE("energy and angular momentum are conserved to the order of the steps",
 
 TEST_CASE("a symmetric patch does not begin to turn", "[conservation]") {
   Check check("wcsph_symmetric_patch", "Angular momentum of a symmetric patch",
-              "The stretching disc on a lattice that is symmetric about both axes: angular momentum stays at rounding "
-              "although steps are explicit.",
+              "The stretching disc on a particle arrangement symmetric about both axes: angular momentum stays at "
+              "round-off although steps are explicit.",
               "symmetry");
   Particles patch = wcsph_disc(0.05, 1);
   for (std::size_t a = 0; a < patch.size(); ++a) {
@@ -137,8 +137,8 @@ TEST_CASE("a symmetric patch does not begin to turn", "[conservation]") {
   Flow flow(patch, 0.05, {.gravity = 0, .density = 1, .sound_speed = 14, .viscosity = Inviscid{}, .xsph = 0.5});
   march(flow, 0.5);
   const Totals end = flow.totals();
-  check.that("turning", "A symmetric patch does not turn.", "angular momentum/sum m |u| R",
-             {end.angular_momentum / end.absolute_momentum},
+  check.that("turning", "The angular momentum of a symmetric patch is zero to round-off.",
+             "angular momentum/sum m |u| R", {end.angular_momentum / end.absolute_momentum},
              Roundoff{static_cast<double>(flow.steps()) * 4 / 1257, 1,
                       "independent rounding of 1257 velocities, 4 times per step"});
   CHECK(std::hypot(end.momentum[0], end.momentum[1]) / end.absolute_momentum < 1e-15);
@@ -188,7 +188,8 @@ TEST_CASE("density diffusion creates no mass and leaves linear densities alone",
         sum += volume * rates[a];
         scale += std::abs(volume * rates[a]);
       }
-      check.holds(fmt::format("Density diffusion creates no mass ({}, {}).", setup.name, name_of(kernel)),
+      check.holds(fmt::format("The mass created by density diffusion is zero to round-off ({}, {}).", setup.name,
+                              name_of(kernel)),
                   {static_cast<double>(sum / scale)},
                   Roundoff{60, 1,
                            "terms of a pair are the same numbers bit by bit but for their volumes: 4 roundings of each "
@@ -202,7 +203,8 @@ TEST_CASE("density diffusion creates no mass and leaves linear densities alone",
     const double usual = open.density_diffusion * open.sound_speed * 1000 * 0.02 / smoothing;
     Worst largest;
     for (const double rate : diffusion_of(linear, open)) largest.add(rate / usual);
-    check.holds(fmt::format("A linear density is left alone ({}).", name_of(kernel)), {largest.value()},
+    check.holds(fmt::format("The diffusion of a linear density is zero to round-off ({}).", name_of(kernel)),
+                {largest.value()},
                 Roundoff{60, 1000 / (1000 * 0.02 * spacing) * 100,
                          "densities of 1000 are rounded where neighbours differ by 2: 500 times; the inverse of a "
                          "matrix that is taken down to a determinant of 0.01: 100 times; some 45 neighbours"});

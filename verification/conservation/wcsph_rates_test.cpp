@@ -321,7 +321,7 @@ TEST_CASE("runs agree with sums over all pairs step by step", "[conservation]") 
     flow.advance(step);
     direct = midpoint(direct, periodic, step);
   }
-  check.that("energy", "After 600 steps the kinetic energies have the same digits.", "kinetic energy [J/m]",
+  check.that("energy", "The kinetic energies after 600 steps agree to ten digits.", "kinetic energy [J/m]",
              {.value = flow.totals().kinetic, .resolution = "N = 144, 600 steps"},
              Bound{1e-10, "ten digits: 600 steps of 100 roundings, with room for their growth in a disordered flow",
                    kinetic_energy(direct), true});

@@ -44,10 +44,10 @@ void claim_orders(Check& check) {
   check.source(source);
   refine(check, {"h1", {0.4, 0.2, 0.1, 0.05, 0.025}},
          {{"order",
-           "The dispersion law tends to the Green-Naghdi equations with the square of the spacing.",
+           "The frequency converges to the Green-Naghdi equations at second order in the spacing.",
            {2, 0.05, "expansion in even powers; the next is of the size (k h)^2, at most 0.2 of it"}},
           {"leading-term",
-           "Beyond its leading error the law deviates with the fourth power of the spacing.",
+           "The frequency error beyond its leading term is fourth-order in the spacing.",
            {4, 0.1, "expansion in even powers; the next is of the size (k h)^2, at most 0.2 of it"}}},
          [](double spacing) {
            const PlanDispersion law(1, 1, spacing, 0.7 * spacing);
@@ -57,7 +57,7 @@ void claim_orders(Check& check) {
   const double h = 0.5;
   const double small = 0.02;
   check.from(source).that(
-      "anisotropy", "For long waves at 45 degrees the relative error of omega^2 is -(h k)^2/12.",
+      "anisotropy", "The relative error of omega^2 of long waves at 45 degrees is -(h k)^2/12.",
       "2 delta omega/omega over (h k)^2 at k H = 0.02",
       {2 * frequency_error(square(h), small, diagonal) / (h * h * small * small)},
       Bound{3e-4 / 12, "the next terms are (k H)^2/3 and (h k)^2 of it, 1.3e-4 and 1e-4", -1.0 / 12});

@@ -81,7 +81,7 @@ TEST_CASE("the water's surface is of second order over an uneven bottom", "[disp
               derived);
   refine(check, {"width of a cell", widths(2 * pi, {50, 100, 200, 400})},
          {{"order",
-           "The water's surface is of second order.",
+           "The error of the water surface converges at second order.",
            {2, 0.05, "smooth places, differences between neighbours"}}},
          [](double width) {
            const auto n = static_cast<int>(cells_of(2 * pi, width));
@@ -116,9 +116,9 @@ TEST_CASE("second harmonics of the water's surface are Stokes's", "[dispersion]"
               "Stokes, Trans. Camb. Phil. Soc. 8 (1847) 441");
   refine(check, {"k", {0.1, 0.15, 0.2, 0.3}},
          {{"surface",
-           "The second harmonic of the water's surface differs from Stokes's by k^4.",
+           "The second harmonic of the water surface differs from Stokes's by O(k^4).",
            {4, 0.2, "expansion in k"}},
-          {"markers", "The second harmonic of the markers differs from Stokes's by k^2.", {2, 0.2, "expansion in k"}}},
+          {"markers", "The second harmonic of the nodes differs from Stokes's by O(k^2).", {2, 0.2, "expansion in k"}}},
          [](double k) {
            const double sigma = std::tanh(k);
            const double stokes = k / 4 * (3 - sigma * sigma) / std::pow(sigma, 3);
@@ -151,7 +151,7 @@ TEST_CASE("second harmonics of the water's surface are Stokes's", "[dispersion]"
     deviation.add(std::abs(harmonic(flow.elevation_at(places), 2) / (amplitude * second) - 1));
   }
   check.from(derived).that(
-      "kept", "The second harmonic of the markers' own wave changes by at most 2 % in six periods.",
+      "kept", "The second harmonic of the wave on the nodes changes by at most 2 % in six periods.",
       "largest change over it", {.value = deviation.value(), .resolution = "128 markers, steps of 0.02"},
       Bound{0.02,
             "terms of the third order in the slope, and straight lines between markers, are parts "

@@ -63,7 +63,8 @@ TEST_CASE("the wave source makes the record it is asked for", "[dispersion]") {
     }
     const std::string which = gamma > 0 ? "improved dispersion" : "gamma = 0";
     const auto claim = [&](const std::string& side, double square) {
-      check.holds(fmt::format("With {} the record is made on the {}.", which, side), {std::sqrt(square / size.value())},
+      check.holds(fmt::format("The elevation with {} agrees with the requested record on the {}.", which, side),
+                  {std::sqrt(square / size.value())},
                   Bound{0.02,
                         "markers and steps: (omega tau)^2/24 of 3.4 rad/s and (k h)^2 of a wave of 4.6 m are parts of "
                         "a thousand, and so is what the switched on waves leave of themselves; straight lines between "

@@ -126,7 +126,8 @@ TEST_CASE("small waves have the frequency of the discrete law for any parameters
     }
     panel.points(label, resolution, deviation);
     check.holds(
-        fmt::format("With the {} scheme the frequencies agree with the law.", label), {worst.value()},
+        fmt::format("The frequencies of small waves agree with the discrete dispersion relation ({} scheme).", label),
+        {worst.value()},
         stepping == Stepping::one_step_feedback ? evidence::Criterion(fed_back) : evidence::Criterion(round_off));
   }
   panel.line("limit with volume feedback", std::vector{0.0, 1.0}, std::vector(2, fed_back.limit.value()), Role::guide);

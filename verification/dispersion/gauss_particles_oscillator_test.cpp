@@ -98,7 +98,7 @@ TEST_CASE("a mode of free particles oscillates by leapfrog's law", "[dispersion]
   }
   {
     const std::vector<double> found = water.amplitudes(1.99 / water.frequency(), 2000);
-    check.that("stable", "At omega_0 tau = 1.99 the amplitude stays bounded.", "largest amplitude over 2000 steps",
+    check.that("stable", "The amplitude at omega_0 tau = 1.99 stays bounded.", "largest amplitude over 2000 steps",
                {.value = worst(found), .resolution = "128 particles, amplitude 1e-6"},
                Bound{1 + 2e-6,
                      "the law gives 1; 2000 steps of roundings of 1e-10 of it, which near the limit are magnified by "
@@ -107,8 +107,8 @@ TEST_CASE("a mode of free particles oscillates by leapfrog's law", "[dispersion]
   const double unstable = 2.01;
   const double rate = std::acosh(unstable * unstable / 2 - 1);
   const std::vector<double> found = water.amplitudes(unstable / water.frequency(), 30);
-  check.that("unstable", "At omega_0 tau = 2.01 it grows as leapfrog does.", "amplitude after 30 steps",
-             {.value = found.back(), .resolution = "128 particles, amplitude 1e-6"},
+  check.that("unstable", "The amplitude at omega_0 tau = 2.01 grows at the rate of leapfrog.",
+             "amplitude after 30 steps", {.value = found.back(), .resolution = "128 particles, amplitude 1e-6"},
              Bound{1e-6,
                    "the square of the largest amplitude, 2e-4, over the 25 steps or so in which it is as large; "
                    "roundings of 1e-10 over 30 steps are less",

@@ -97,7 +97,7 @@ void check_surface_and_momentum(Check& check, const Wave& wave) {
                    "may add half as much, or it and not the steps would be the larger error"});
   check.that("momentum",
              "The momentum is conserved to round-off: the potential energy does not depend on where the water is.",
-             "largest defect over the momentum", {.value = wave.momentum_defect(), .resolution = resolution},
+             "largest error over the momentum", {.value = wave.momentum_defect(), .resolution = resolution},
              Roundoff{steps * periods, 5,
                       "one rounding per step of the sum of the velocities' magnitudes, 5 times the momentum"});
 }
@@ -113,7 +113,7 @@ TEST_CASE("with gravity on its surface a wave needs no penalty", "[dispersion]")
   wave.run(steps, periods);
   check_surface_and_momentum(check, wave);
   check.that("energy", "The energy error is below (omega tau)^2/12, by which the energy of the steps differs.",
-             "largest defect over the kinetic energy", {.value = wave.energy_defect(), .resolution = resolution},
+             "largest error over the kinetic energy", {.value = wave.energy_defect(), .resolution = resolution},
              Bound{turn / steps * turn / steps / 12,
                    "(omega tau)^2/12, by which the energy that the steps keep differs from the exact one; a force that "
                    "lags by a part of the step takes ten times as much in each period"});
@@ -128,7 +128,7 @@ TEST_CASE("the discrete gradient of the surface's energy keeps the energy of a w
   Wave wave(true, 0.9);
   wave.run(steps, periods);
   check_surface_and_momentum(check, wave);
-  check.that("energy", "The energy is conserved to round-off.", "largest defect over the kinetic energy",
+  check.that("energy", "The energy is conserved to round-off.", "largest error over the kinetic energy",
              {.value = wave.energy_defect(), .resolution = resolution},
              Roundoff{steps * periods, 2, "one rounding per step of the kinetic and the potential energy"});
   refine(check, {"omega tau", widths(turn, {28, 40, 56, 80})},

@@ -42,7 +42,7 @@ double plan_error(double wavelength, double spacing) {
 void claim_limits(Check& check) {
   refine(check, {"size of the cubes", widths(1, {16, 32, 64, 128, 256})},
          {{"order",
-           "With cubes the law tends to Airy's with the square of their size.",
+           "The frequency on cubes converges to Airy's at second order in their size.",
            {2, 0.05, "expansion in even powers; the next is of the size (k h)^2, at most 0.02 of it"}}},
          [](double h) { return std::abs(layers_error(3, h, cells_of(1, h), 0.5)); });
   // (1 - (omega/k)^2)/k^2 extrapolated in k^2 to k = 0, on a fine 2DH lattice
@@ -63,7 +63,7 @@ void claim_limits(Check& check) {
   const HexahedralDispersion fine(9.81, 2, 1e-4, 1e-4, 20000);
   Worst airy;
   for (const double k : {0.3, 1.0, 3.0}) airy.add(frequency_error(fine, AiryDispersion(9.81, 2), k, 0.3));
-  check.that("airy", "With 20000 layers of cubes the law is k tanh kH.",
+  check.that("airy", "The dispersion relation with 20000 layers of cubes is omega^2 = k tanh kH.",
              "largest relative error of the frequency, k H = 0.6, 2, 6", {airy.value()},
              Bound{9e-8, "(k h)^2 of the shortest wave; the leading coefficient is below 1"});
 }
@@ -123,7 +123,7 @@ TEST_CASE("the law of the hexahedral mesh has the known limits", "[dispersion]")
       "an axis, one layer against "
       "the 2DH model, the coefficient of long waves for both surface inertias, and the order in the size.",
       source);
-  check.that("seven-depths", "Waves of seven depths are represented by cells as wide as the depth and half as high.",
+  check.that("seven-depths", "The frequency error of waves of L/H = 7 on cells H wide and H/2 high is below 3 %.",
              "error of the frequency against Airy's law [%]", {layers_error(7, 1, 2)},
              Bound{3, "Frank's remark, at three per cent"});
   for (const std::size_t layers : {1UL, 2UL, 3UL, 40UL}) {

@@ -143,18 +143,18 @@ TEST_CASE("frequencies of small oscillations and the largest stable step", "[dis
   const Bound small{1e-10,
                     "rounding of cos(omega tau), up to 1e-15, over its slope (omega tau)^2 of 3e-4 in the slowest mode "
                     "at the smallest step; terms of second order in the amplitude are 1e-14"};
-  check.that("one-step", "The one-step scheme follows the arcsine law.",
+  check.that("one-step", "The frequencies of the one-step scheme agree with the arcsine law.",
              "largest relative error of a frequency, all modes, Omega_max tau = 0.1 .. 1.8", {one_step.largest.value()},
              small);
-  check.that("conservative", "The fully conservative scheme follows the arctangent law.",
+  check.that("conservative", "The frequencies of the fully conservative scheme agree with the arctangent law.",
              "largest relative error of a frequency, all modes, Omega_max tau = 0.1 .. 1.2",
              {conservative.largest.value()}, small);
-  check.that("stable", "At 0.98 of the limit tau = 2/Omega_max the fastest mode stays bounded.",
+  check.that("stable", "The fastest mode at 0.98 of the limit tau = 2/Omega_max stays bounded.",
              "largest displacement over the initial one, 10000 steps", {growth(0.98, 10000)},
              Bound{1.01, "a mode released from rest oscillates between its ends; other modes enter by rounding"});
   check.that(
-      "unstable", "At 1.02 of it the mode explodes.", "displacement grows by a factor of 1000 in 100 steps",
-      {growth(1.02, 100) >= 1e3 ? 1.0 : 0.0},
+      "unstable", "The fastest mode at 1.02 of the limit tau = 2/Omega_max grows a thousandfold.",
+      "displacement grows by a factor of 1000 in 100 steps", {growth(1.02, 100) >= 1e3 ? 1.0 : 0.0},
       Qualitative{"largest displacement >= 1000 times the initial", "it grows by cosh(100 * 2 arcosh 1.02) = 1e17"});
 }
 

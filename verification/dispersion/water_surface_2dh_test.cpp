@@ -155,7 +155,7 @@ TEST_CASE("the surface holds the markers' water, whichever way the lattice lies"
       moved += 0.25 * sheet.area(cell) * std::abs(found[node] - sheet.z(node));
     }
   }
-  check.that("water", "The water under markers and surface agrees within 20 times the solver's accuracy.",
+  check.that("water", "The water volumes under nodes and surface agree within 20 times the solver's accuracy.",
              "water between them over what was moved", {.value = water / moved, .resolution = "14 x 11 cells"},
              Bound{20 * accuracy,
                    "the residual's sum: its accuracy times the root of 180 nodes, and the slope of the surface over "
@@ -171,7 +171,7 @@ TEST_CASE("the surface holds the markers' water, whichever way the lattice lies"
   Largest difference;
   for (std::size_t node = 0; node < sheet.shape.nodes(); ++node) difference.add(std::abs(same[node] - found[node]));
   check.from("rotation")
-      .that("turned", "The surface of the turned lattice is the same.", "largest difference",
+      .that("turned", "The surface of the turned grid is the same to round-off.", "largest difference",
             {.value = difference.value(), .resolution = "14 x 11 cells"},
             Roundoff{400, 1, "some twenty iterations of twenty operations"});
 }

@@ -134,7 +134,7 @@ TEST_CASE("sound has the dispersion of the lattice and grows by the law of the m
     const double rounding = 4 * 0x1p-52 *
                             std::sqrt(static_cast<double>(steps) / static_cast<double>(wave.cells * rows_of_lattice)) *
                             sound_speed / amplitude;
-    check.holds("frequency-" + name + ": The frequency is that of the lattice and the midpoint rule.",
+    check.holds("frequency-" + name + ": The frequency agrees with the particle arrangement and the midpoint rule.",
                 {found.frequency},
                 Bound{harmonic.shift,
                       "(2 M)^2 [1 + mean of c_0 k (1 - cos D t)/D], M = 1e-5: the mode and its second harmonic, (gamma "
@@ -177,10 +177,10 @@ TEST_CASE("the midpoint rule is of second order in phase and of third in energy"
   const long fewest = std::lround(0.5 / first);
   refine(check, {"dt [s]", falling(first, 4)},
          {{"phase",
-           "The phase is of second order.",
+           "The phase error is second-order in the step.",
            {2, 0.05, "next term (omega dt)^2/8 relative, 0.004 at the longest step"}},
           {"energy",
-           "The energy is of third order.",
+           "The energy error is third-order in the step.",
            {3, 0.0005,
             "the energy grows by the factor 1 + (omega dt)^4/4 per step: next term of its logarithm (omega dt)^4/8 "
             "relative, 2e-4 at the longest step, 3e-4 per halving"}}},

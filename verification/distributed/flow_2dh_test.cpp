@@ -80,7 +80,8 @@ void compare_with_one(const std::string& id, const std::string& title, const std
               fmt::format("2 N kappa eps with kappa = {:.3g}: an energy has the square of what differs by N kappa eps",
                           finest.condition)});
     if (problem.window.reach) {
-      check.that("shifts-" + problem.id, "The window moves as on one process.",
+      check.that("shifts-" + problem.id,
+                 "The number of columns left behind by the moving window equals the number in one process.",
                  "columns left behind, less those on one process",
                  {.value = static_cast<double>(finest.shifts - reference.shifts),
                   .resolution = fmt::format("{} columns left behind", finest.shifts)},
@@ -160,7 +161,7 @@ TEST_CASE("a lattice that tangles at one process stops all of them") {
   if (rank() > 0) return;
   Check check(fmt::format("distributed_breakdown_{}", ranks()), fmt::format("A breakdown on {} process(es)", ranks()),
               "A jet in the south-west corner of the box tangles the lattice there.", source);
-  check.that("all-stop", "What one process finds infeasible is a Divergence on all, with time and step.",
+  check.that("all-stop", "A breakdown in one process is a Divergence in all, with time and step.",
              "1 if all processes stopped",
              {.value = all_stopped, .resolution = fmt::format("{} steps before it", flow.steps())},
              Qualitative{"every process caught Divergence", "a process that goes on alone waits for ever"});
@@ -192,7 +193,7 @@ TEST_CASE("a shoreline that leaves the bottom at one process stops all of them")
   Check check(fmt::format("distributed_shore_breakdown_{}", ranks()),
               fmt::format("A shoreline that leaves the bottom, on {} process(es)", ranks()),
               "Water runs up the western shore of a canal, beyond the place up to which the bottom is known.", source);
-  check.that("all-stop", "What one process finds infeasible at the end of a step is a Divergence on all.",
+  check.that("all-stop", "A breakdown in one process at the end of a step is a Divergence in all.",
              "1 if all processes stopped", {.value = all_stopped, .resolution = why},
              Qualitative{"every process caught Divergence", "a process that goes on alone waits for ever"});
 }

@@ -70,7 +70,8 @@ void compare_with_one(const std::string& id, const std::string& where, const std
              "largest difference between copies", {.value = shared.rim_difference, .resolution = resolution},
              Bound{0, "copies are copied"});
   if (window.reach) {
-    check.that("shifts", "The window moves as on one process.", "columns left behind, less those on one process",
+    check.that("shifts", "The number of columns left behind by the moving window equals the number in one process.",
+               "columns left behind, less those on one process",
                {.value = static_cast<double>(shared.shifts - reference.shifts),
                 .resolution = fmt::format("{} columns left behind", shared.shifts)},
                Bound{0, "the water at the window's front is at rest"});

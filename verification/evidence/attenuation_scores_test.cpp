@@ -85,15 +85,15 @@ TEST_CASE("a wave that dies away or comes late is told by how much in a waveleng
   const evidence::Record right = scored([](const auto& wave, double x, double t) { return wave.elevation(x, t); });
   measured("The decay read off the exact wave is zero.", right, "decay_per_wavelength", 0);
   measured("The phase lead read off the exact wave is zero.", right, "lead_per_wavelength", 0);
-  measured("Cells in the height are counted.", right, "cells_per_height", 2);
-  measured("The time read off is the time of one wavelength.", right, "seconds_per_wavelength", 20 / 9.75);
+  measured("The number of cells over the height is measured.", right, "cells_per_height", 2);
+  measured("The measured time is the time of one wavelength.", right, "seconds_per_wavelength", 20 / 9.75);
   is("The exact wave passes the attenuation score.", verdict_of(right, "decay"), Verdict::pass);
   const auto dying = [](double rate) {
     return scored([rate](const auto& wave, double x, double t) {
       return wave.elevation(x, t) * std::exp(-rate * t * wave.phase_speed() / wave.wavelength());
     });
   };
-  measured("A loss of 0.8 per cent in a wavelength is measured.", dying(0.008), "decay_per_wavelength", 0.008);
+  measured("The measured loss is 0.8 % per wavelength.", dying(0.008), "decay_per_wavelength", 0.008);
   is("A wave that loses 0.8 % of its height per wavelength fails the score.", verdict_of(dying(0.008), "decay"),
      Verdict::fail);
   is("A wave that loses 0.3 % of its height per wavelength passes the score.", verdict_of(dying(0.003), "decay"),
@@ -102,19 +102,22 @@ TEST_CASE("a wave that dies away or comes late is told by how much in a waveleng
   // More than half a wavelength late at the end: the phase is followed from period to period.
   const evidence::Record slow =
       scored([](const auto& wave, double x, double t) { return wave.elevation(x - 0.92 * wave.phase_speed() * t); });
-  measured("A wave that is 8 per cent slow is 0.08 wavelengths late in one.", slow, "lead_per_wavelength", -0.08);
+  measured("The measured lag of a wave with a celerity 8 % low is 0.08 wavelengths per wavelength.", slow,
+           "lead_per_wavelength", -0.08);
   is("A wave that is 8 % too slow fails the score.", verdict_of(slow, "phase"), Verdict::fail);
   const evidence::Record frozen = scored([](const auto& wave, double x, double) { return wave.elevation(x); });
-  is("A wave that stands where it began fails.", verdict_of(frozen, "phase"), Verdict::fail);
+  is("A stationary wave fails the score.", verdict_of(frozen, "phase"), Verdict::fail);
   const evidence::Record back =
       scored([](const auto& wave, double x, double t) { return wave.elevation(x + wave.phase_speed() * t); });
   is("A wave that travels in the opposite direction fails the score.", verdict_of(back, "phase"), Verdict::fail);
 
-  measured("In a flume the exact wave loses nothing.", scored_flume(0, 0), "decay_per_wavelength", 0);
-  measured("Along a flume a loss is measured by the way.", scored_flume(0.008, 0), "decay_per_wavelength", 0.008);
-  measured("Waves a hundredth too short are late by it in a wavelength.", scored_flume(0, 0.01), "lead_per_wavelength",
-           -0.01);
-  is("In a flume one that runs towards the wavemaker fails.", verdict_of(scored_flume(0, -2), "phase"), Verdict::fail);
+  measured("The measured loss of the exact wave in a flume is zero.", scored_flume(0, 0), "decay_per_wavelength", 0);
+  measured("The loss in a flume is measured per wavelength travelled.", scored_flume(0.008, 0), "decay_per_wavelength",
+           0.008);
+  measured("The measured lag of waves 1 % too short is 0.01 wavelengths per wavelength.", scored_flume(0, 0.01),
+           "lead_per_wavelength", -0.01);
+  is("A wave that runs towards the wavemaker of a flume fails the score.", verdict_of(scored_flume(0, -2), "phase"),
+     Verdict::fail);
 
   // After three periods the surface is the same: one that is right but for rounding is not taken for another's.
   const Case& one = find_case("wave_attenuation");
@@ -128,7 +131,7 @@ TEST_CASE("a wave that dies away or comes late is told by how much in a waveleng
     }
     exact["surface"].push_back(group);
   }
-  check.holds("Of a right wave nothing is said.", {static_cast<double>(diagnosis(wanted, exact).size())},
+  check.holds("The diagnosis of a correct wave is empty.", {static_cast<double>(diagnosis(wanted, exact).size())},
               Bound{0, "nothing differs"});
 }
 

@@ -42,31 +42,34 @@ TEST_CASE("a score is worse than its baseline where an error grew beyond both un
   const auto is = [&](const std::string& text, const std::string& got, const std::string& expected) {
     check.holds(text, {got == expected ? 1.0 : 0.0}, Qualitative{expected, "it was made so"});
   };
-  is("The same numbers are the same.", change(claim(0.5, "pass"), claim(0.5, "pass")), "same");
-  is("Less than a hundredth of the limit is noise.", change(claim(0.5, "pass"), claim(0.509, "pass")), "same");
-  is("More of it is worse, even where the claim is still met.", change(claim(0.5, "pass"), claim(0.6, "pass")),
-     "worse");
-  is("An error of the other sign is as good.", change(claim(0.5, "pass"), claim(-0.5, "pass")), "same");
-  is("Within both uncertainties it is not.", change(claim(0.5, "pass", 0.1), claim(0.62, "pass", 0.1)), "same");
+  is("Equal numbers are reported as unchanged.", change(claim(0.5, "pass"), claim(0.5, "pass")), "same");
+  is("A change below 1 % of the limit is reported as unchanged.", change(claim(0.5, "pass"), claim(0.509, "pass")),
+     "same");
+  is("A larger error is reported as worse, even if the claim is still met.",
+     change(claim(0.5, "pass"), claim(0.6, "pass")), "worse");
+  is("An error of opposite sign and equal size is reported as unchanged.",
+     change(claim(0.5, "pass"), claim(-0.5, "pass")), "same");
+  is("A change within both uncertainties is not reported as worse.",
+     change(claim(0.5, "pass", 0.1), claim(0.62, "pass", 0.1)), "same");
   is("A change beyond both uncertainties is reported as a change.",
      change(claim(0.5, "pass", 0.1), claim(0.65, "pass", 0.1)), "worse");
-  is("A verdict that changes within the uncertainties is shown.",
+  is("A verdict that changes within the uncertainties is reported.",
      change(claim(0.95, "pass", 0.1), claim(1.05, "fail", 0.1)), "other");
-  is("A failure that grows is worse, too.", change(claim(2, "fail"), claim(3, "fail")), "worse");
-  is("A claim that was not met and is now is an unexpected pass.", change(claim(1.5, "fail"), claim(0.5, "pass")),
+  is("A growing failure is reported as worse.", change(claim(2, "fail"), claim(3, "fail")), "worse");
+  is("A newly met claim is reported as an unexpected pass.", change(claim(1.5, "fail"), claim(0.5, "pass")),
      "unexpected pass");
-  is("A claim that was undecided and is now met is an unexpected pass.",
+  is("A formerly inconclusive claim that is met is reported as an unexpected pass.",
      change(claim(0.5, "inconclusive"), claim(0.5, "pass")), "unexpected pass");
-  is("What is no number any more is worse.", change(claim(0.5, "pass"), claim(unknown, "error")), "worse");
-  is("A feature that is gone is worse.",
+  is("A value that became NaN is reported as worse.", change(claim(0.5, "pass"), claim(unknown, "error")), "worse");
+  is("A lost feature is reported as worse.",
      change(claim(0, "pass", unknown, "qualitative"), claim(1, "fail", unknown, "qualitative")), "worse");
-  is("Round-off that stays round-off is the same.",
+  is("A change within round-off is reported as unchanged.",
      change(claim(0.1, "pass", unknown, "roundoff"), claim(0.9, "pass", unknown, "roundoff")), "same");
   Summary was;
   was.claims = {claim(0.5, "pass")};
   const std::vector<Since> gone = changes_since(was, {});
-  is("A claim that is gone is worse.", gone.size() == 1 && gone.front().kind == Since::Kind::worse ? "worse" : "other",
-     "worse");
+  is("A missing claim is reported as worse.",
+     gone.size() == 1 && gone.front().kind == Since::Kind::worse ? "worse" : "other", "worse");
 }
 
 }  // namespace seiche::verification::baseline_test

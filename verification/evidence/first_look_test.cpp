@@ -76,30 +76,31 @@ TEST_CASE("the first screen says where an error is, of what kind, whose it is an
     check.holds(text, {got.find(expected) != std::string::npos ? 1.0 : 0.0},
                 Qualitative{"\"" + expected + "\"", "it was made so"});
   };
-  share("A wave that is late has an error of phase.", kind_of([](double x) { return std::sin(x - 0.05); }).phase);
-  share("A wave that is too high has an error of amplitude.",
+  share("The error of a lagging wave is of type phase.", kind_of([](double x) { return std::sin(x - 0.05); }).phase);
+  share("The error of a too high wave is of type amplitude.",
         kind_of([](double x) { return 1.1 * std::sin(x); }).amplitude);
-  share("A surface that stands too high has an error of level.",
-        kind_of([](double x) { return std::sin(x) + 0.1; }).level);
+  share("The error of a raised surface is of type level.", kind_of([](double x) { return std::sin(x) + 0.1; }).level);
   const auto bump = [](double x) { return std::sin(x) + 0.2 * std::exp(-std::pow((x - 4.5) / 0.2, 2)); };
-  share("A bump has its error where it is.", kind_of(bump).near);
-  check.holds("The position of the largest error is named.", {kind_of(bump).where},
+  share("The error of a local bump is located at the bump.", kind_of(bump).near);
+  check.holds("The position of the largest error is reported.", {kind_of(bump).where},
               Bound{0.0315, "half a distance of points", 4.5});
-  says("No single number explains a bump.", kind_of(bump).words(), "local shape");
-  says("The kind of the error is named in the summary.", kind_of([](double x) { return std::sin(x - 0.05); }).words(),
+  says("The error of a bump is of type local shape.", kind_of(bump).words(), "local shape");
+  says("The type of error is stated in the summary.", kind_of([](double x) { return std::sin(x - 0.05); }).words(),
        "phase: 100 %");
 
   const auto high = [](double x) { return 1.2 * std::sin(x); };
-  says("The next step of a right result is none.", answer([](double x) { return std::sin(x); }, "likely cause"),
+  says("The next step for a correct result is none.", answer([](double x) { return std::sin(x); }, "likely cause"),
        "all errors are within their limits");
   says("The number of claims met is in the summary.", answer(high, "result"), "1 of 2 claims are met, 1 not met");
-  says("The claim that is missed farthest is named in the summary.", answer(high, "closest limit"),
+  says("The claim missed by the largest factor is named in the summary.", answer(high, "closest limit"),
        "The wave is right. fail (eta-relative_l2: error 0.2");
   const auto place = [&](const std::string& unit) {
     return answer(bump, "largest error", evidence::Role::exact, {}, unit);
   };
-  says("The position of the largest error has its unit.", place("m"), "eta: largest at x = 4.524 m, +0.197 m; ");
-  says("The position of a dimensionless error has no unit.", place("1"), "eta: largest at x = 4.524, +0.197; ");
+  says("The position of the largest error is printed with its unit.", place("m"),
+       "eta: largest at x = 4.524 m, +0.197 m; ");
+  says("The position of a dimensionless error is printed without a unit.", place("1"),
+       "eta: largest at x = 4.524, +0.197; ");
   says("The likely cause against an exact reference is the solver or its set-up.", answer(high, "likely cause"),
        "three cell sizes (--sizes) show which");
   says("The summary asks for several cell sizes next.", answer(high, "next step"), "--sizes");
@@ -122,7 +123,7 @@ TEST_CASE("the first screen says where an error is, of what kind, whose it is an
   for (const auto& [asked, said] : first_look({}, {}, measured, {}, {})) {
     if (asked == "likely cause") cause = said;
   }
-  says("A difference that uncertainties do not explain is the solver's.", cause,
+  says("A difference beyond the uncertainties is attributed to the solver.", cause,
        "an error of 0.5, which the uncertainties");
 }
 

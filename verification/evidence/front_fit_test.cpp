@@ -49,11 +49,11 @@ TEST_CASE("the rate of a front is found beside its shift", "[evidence]") {
   close("late-rate", late.rate, rate);
   const FrontFit exact = front_fit({T, X}, data, 100, 0.0);
   const FrontFit twice = front_fit({T, X}, data, 100, 0.04);
-  check.that("uncertainty", "Twice the uncertainty of the front gives twice the uncertainty of its rate.", "ratio",
+  check.that("uncertainty", "The uncertainty of the rate is proportional to the uncertainty of the front.", "ratio",
              {*twice.rate_numerical / *fit.rate_numerical}, Bound{1e-12, "round-off", 2});
-  check.that("certain", "A front that is known exactly adds no uncertainty.", "numerical uncertainty of the rate",
+  check.that("certain", "The uncertainty added by an exact front is zero.", "numerical uncertainty of the rate",
              {*exact.rate_numerical}, Bound{0, "nothing was stated to be uncertain"});
-  check.that("unstated", "Where no uncertainty is stated, none is returned.", "an uncertainty is given",
+  check.that("unstated", "The returned uncertainty is empty if none is stated.", "an uncertainty is given",
              {front_fit({T, X}, data, 100, std::nullopt).rate_numerical ? 1.0 : 0.0},
              Qualitative{"an uncertainty", "none was stated", false});
   // An X that is wrong by 0.02 with the sign of the weights moves the rate by as much as is said, to first order.

@@ -73,8 +73,9 @@ TEST_CASE("instruments for series find what is in them", "[evidence]") {
   const auto parabola = [](double t) { return 3 - 0.5 * (t - 1.3) * (t - 1.3); };
   for (const double t : {0.0, 0.4, 1.1, 1.6, 2.4, 2.5}) peak.add(t, parabola(t));
   const char* three = "differences of three values of at most 3 over steps of a half";
-  exactly("peak", "The top of a parabola is found between its points.", peak.value(), 3, 20, 6, three);
-  exactly("peak-time", "The time of a peak between the points is exact.", peak.time(), 1.3, 20, 6, three);
+  exactly("peak", "The maximum of a parabola is interpolated exactly between its points.", peak.value(), 3, 20, 6,
+          three);
+  exactly("peak-time", "The time of a peak between the points is exact to round-off.", peak.time(), 1.3, 20, 6, three);
 
   std::vector<double> harmonics;
   constexpr double frequency = 2.7;
@@ -85,16 +86,16 @@ TEST_CASE("instruments for series find what is in them", "[evidence]") {
   }
   const Oscillation fit = fit_oscillation(harmonics, tau, {1, 2});
   const char* sums = "sums over 200 samples in the normal equations, whose condition is below ten";
-  exactly("frequency", "The frequency of an oscillation with a second harmonic.", fit.frequency, frequency, 2000, 10,
-          sums);
-  exactly("amplitude", "The amplitude of its first harmonic.", fit.amplitude, 1.5, 2000, 10, sums);
+  exactly("frequency", "The fitted frequency of an oscillation with a second harmonic is exact.", fit.frequency,
+          frequency, 2000, 10, sums);
+  exactly("amplitude", "The fitted amplitude of the first harmonic is exact.", fit.amplitude, 1.5, 2000, 10, sums);
 
   exactly("sawtooth", "The deviation of a signal that changes its sign from sample to sample is its amplitude.",
           wave_statistics(std::vector<double>{3, -3, 3, -3, 3, -3}).deviation, 3, 20, 3, "a Fourier transform of six");
 
   std::vector<double> wave;
   for (int n = 0; n <= 400; ++n) wave.push_back(std::cos(2 * pi * n * 0.05 / 3.37));
-  check.holds("The period of a wave of 67 points.", {period_of(wave, 0.05).length - 3.37},
+  check.holds("The fitted period of a wave of 67 points is accurate to 1 %.", {period_of(wave, 0.05).length - 3.37},
               Bound{0.01 * 3.37,
                     "the ends of a window of six periods that is no multiple of them shift the top of the correlation "
                     "by less than a hundredth of one"});
@@ -106,7 +107,7 @@ TEST_CASE("instruments for series find what is in them", "[evidence]") {
     track.elevation.push_back(n < 20 ? 9 : 0.3);
   }
   const char* thirty = "sums over 31 points of at most 5 times 4";
-  exactly("speed", "The speed of a crest from a time on.", track.speed(2.0), 1.25, 62, 20, thirty);
+  exactly("speed", "The fitted crest speed from a given time on is exact.", track.speed(2.0), 1.25, 62, 20, thirty);
   exactly("elevation", "The mean elevation from a stated time on is exact.", track.mean_elevation(2.0), 0.3, 31, 9,
           thirty);
 
@@ -115,18 +116,20 @@ TEST_CASE("instruments for series find what is in them", "[evidence]") {
   const std::vector<double> v = {1.5 + 1, 3.5 - 1, 5.5 - 1, 7.5 + 1};
   const StraightLine line = straight_line(u, v);
   const char* four = "sums over four points of at most 9";
-  exactly("slope", "The slope of a line through four points.", line.slope, 2, 8, 9, four);
+  exactly("slope", "The fitted slope of a line through four points is exact.", line.slope, 2, 8, 9, four);
   exactly("slope-error", "The standard error of the slope of a line through four points is exact.", line.slope_error,
           std::sqrt(2.0 / 5), 8, 9, four);
-  exactly("mean-error", "The standard error of its mean.", line.mean_error, std::sqrt(2.0 / 4), 8, 9, four);
+  exactly("mean-error", "The standard error of the mean of the line is exact.", line.mean_error, std::sqrt(2.0 / 4), 8,
+          9, four);
   exactly("where", "The position where a line reaches a value is exact.", line.where(6.5).value, 2.5, 8, 9, four);
   exactly("angle", "The angle that a line makes with the axis is exact.", line.angle().value, std::atan(2.0), 8, 9,
           four);
-  exactly("angle-error", "Twice the standard error of that angle.", line.angle().half_width(), 2 * std::sqrt(0.4) / 5,
-          8, 9, four);
+  exactly("angle-error", "The expanded uncertainty of the angle is twice its standard error.",
+          line.angle().half_width(), 2 * std::sqrt(0.4) / 5, 8, 9, four);
 
   const FineLimit limit = fine_limit({0.5, 1}, {1.25, 2}, 2);
-  exactly("limit", "The limit of two lattices at second order.", limit.value, 1, 4, 2, "four operations");
+  exactly("limit", "The extrapolated limit of two grids at second order is exact.", limit.value, 1, 4, 2,
+          "four operations");
   exactly("limit-uncertainty", "The uncertainty of the limit is three times the remaining difference.",
           limit.uncertainty, 0.75, 4, 2, "four operations");
 }
@@ -148,13 +151,14 @@ TEST_CASE("errors of a profile are those of their definitions", "[evidence]") {
                                 .breaks = {1}};
   const ProfileError cell = cell_error(profile, exact, {1.8});
   const char* points = "32 points in each of four cells, numbers up to 3";
-  exactly("cell-l1", "The mean error of cell means of depth.", cell.depth.l1, 0.1, 128, 3, points);
+  exactly("cell-l1", "The mean error of the cell means of depth is exact.", cell.depth.l1, 0.1, 128, 3, points);
   exactly("cell-l2", "The root mean square error of the depths is exact.", cell.depth.l2, 0.1, 128, 3, points);
   exactly("cell-linf", "The largest error of the depths is exact.", cell.depth.linf, 0.1, 128, 3, points);
-  exactly("cell-velocity", "The mean error of the mass means of velocity.", cell.velocity.l1, 0.1, 128, 3, points);
-  const ProfileError rec = reconstruction_error(profile, exact, {1.8});
-  exactly("rec-l1", "A reconstruction that is 0.2 too high on a quarter of the length.", rec.depth.l1, 0.05, 256, 3,
+  exactly("cell-velocity", "The mean error of the mass means of velocity is exact.", cell.velocity.l1, 0.1, 128, 3,
           points);
+  const ProfileError rec = reconstruction_error(profile, exact, {1.8});
+  exactly("rec-l1", "The mean error of a reconstruction 0.2 too high over a quarter of the length is exact.",
+          rec.depth.l1, 0.05, 256, 3, points);
   exactly("rec-l2", "The root mean square error of the depths is exact.", rec.depth.l2, 0.1, 256, 3, points);
   exactly("rec-linf", "The largest error of the depths is exact.", rec.depth.linf, 0.2, 256, 3, points);
   // Of the third cell 0.3 are 0.7 too low and 0.2 are 1.3 too high.
@@ -167,10 +171,10 @@ TEST_CASE("errors of a profile are those of their definitions", "[evidence]") {
                                 .means = {{3, 0}, {2.95, 0}, {2, 0}, {1.2, 0}, {1, 0}},
                                 .reconstruction = {},
                                 .breaks = {}};
-  exactly("width", "Two cells lie strictly between 5 and 95 % of a jump.", jump_width(smeared, 3, 1, 0, 5), 2, 1, 0,
-          "a count");
-  exactly("position", "The step that holds the same volume.", jump_position(smeared, 3, 1, 0, 5), (10.15 - 5) / 2, 10,
-          10, "a sum of five cells");
+  exactly("width", "The number of cells strictly between 5 and 95 % of a jump is two.", jump_width(smeared, 3, 1, 0, 5),
+          2, 1, 0, "a count");
+  exactly("position", "The position of the step of equal volume is exact.", jump_position(smeared, 3, 1, 0, 5),
+          (10.15 - 5) / 2, 10, 10, "a sum of five cells");
 }
 
 }  // namespace seiche::verification::instruments_test

@@ -107,9 +107,9 @@ TEST_CASE("a paddle makes the waves it should and the layer leaves none of them"
     const Envelope found = envelope(waves);
     const std::string id = fmt::format("{:g}s", period);
     check.that("amplitude-" + id, "The wave amplitude agrees with linear theory of the model.",
-               "amplitude over the stated one, less 1", {.value = found.mean - 1, .resolution = "h = 0.1 m"},
+               "amplitude over the stated one, minus 1", {.value = found.mean - 1, .resolution = "h = 0.1 m"},
                waves.bound());
-    check.that("reflection-" + id, "The wave reflected by the absorbing layer is small.",
+    check.that("reflection-" + id, "The amplitude reflected by the absorbing layer is below the limit.",
                "amplitude of the wave that returns, over that of the one that comes",
                {.value = found.reflected, .resolution = "h = 0.1 m"}, waves.bound());
   }
@@ -137,8 +137,8 @@ TEST_CASE("gauges read the surface where they stand while the lattice moves", "[
   double numbers = 0;
   for (const double z : outside.read({before.x, before.y, before.z})) numbers += std::isnan(z) ? 0 : 1;
   check.from("validation/instruments/plan_gauges.hpp")
-      .that("outside", "Where there is no water they read nothing.", "gauges outside that read a number", {numbers},
-            Bound{0, "none stands in the water"});
+      .that("outside", "The readings of gauges outside the water are empty.", "gauges outside that read a number",
+            {numbers}, Bound{0, "none stands in the water"});
 }
 
 }  // namespace seiche::verification::laboratory_basin_test

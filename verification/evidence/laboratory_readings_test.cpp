@@ -93,13 +93,13 @@ TEST_CASE("readings of a known curve are what they should be", "[evidence]") {
   is(check, "harmonic", "The second harmonic, 0.007, is found beside the first.",
      harmonic(0, 2, period, {1, 8.5}, 0).expected(bar), 0.007, 1e-12, solved);
   const auto late = [&](double t) { return wave(t - 0.137); };
-  is(check, "lag", "A record that is 0.137 s late is said to be.",
+  is(check, "lag", "The fitted shift of a record lagging by 0.137 s is 0.137 s.",
      lag_of(sampled(0, 10, 1000, late, 0).curve(), bar, {2, 8}, period / 2), 0.137, 1e-3,
      "a tenth of the lags that are tried, 0.0125 s, as a parabola goes through their squares");
   const auto ramp = [](double t) { return t < 3 ? 0 : 0.05 * (t - 3); };
   const Measured front = sampled(0, 6, 60, ramp, 0.002, 0.03);
-  is(check, "arrival", "A ramp passes 0.02 at 3.4 s.", arrival(0, 0.02, {}).expected(front), 3.4, 1e-12,
-     "a straight line");
+  is(check, "arrival", "The time at which a ramp reaches 0.02 is 3.4 s.", arrival(0, 0.02, {}).expected(front), 3.4,
+     1e-12, "a straight line");
   is(check, "arrival-uncertainty",
      "The uncertainty of an arrival combines clock, level over slope, and points 0.1 s apart.",
      arrival(0, 0.02, {}).uncertainty(front), std::hypot(0.03, 0.002 / 0.05, 0.1 / 2), 1e-12,
@@ -110,18 +110,19 @@ TEST_CASE("readings of a known curve are what they should be", "[evidence]") {
      "The uncertainty of the position of a sharp crest combines abscissa and points 0.5 apart.",
      when_highest(0, {}).uncertainty(peak), std::hypot(0.03, 0.5 / 2), 1e-12, "points 0.5 apart");
   const auto slow = [](double t) { return std::sin(t - 0.2005); };
-  is(check, "lag-range", "A clock is set by no more than its range.",
+  is(check, "lag-range", "The fitted time shift is limited to its range.",
      lag_of(sampled(0, 10, 1000, slow, 0).curve(),
             sampled(
                 1, 8, 100, [](double t) { return std::sin(t); }, 0.01),
             {2, 6}, 0.2),
      0.2, 1e-12, "the record is 0.2005 late");
-  is(check, "misfit-uncertainty", "A misfit is known no better than points and the slope times the clock.",
+  is(check, "misfit-uncertainty", "The uncertainty of a misfit combines points and slope times clock.",
      misfit(0, {3.5, 5.5}).uncertainty(front), std::hypot(0.002, 0.05 * 0.03), 1e-12, "a straight line");
-  is(check, "height-uncertainty", "Of a height from trough to crest: sqrt(2) of a point's.",
+  is(check, "height-uncertainty",
+     "The uncertainty of a height from trough to crest is sqrt(2) times the uncertainty of a point.",
      height(0, {}).uncertainty(bar), std::sqrt(2.0) * 0.001, 1e-12, "rounding");
-  is(check, "impulse", "The integral of the ramp from 3 to 5 s.", impulse(0, {2.95, 5.05}).expected(front), 0.1, 1e-12,
-     "trapezoids of a straight line");
+  is(check, "impulse", "The integral of the ramp from 3 to 5 s is exact.", impulse(0, {2.95, 5.05}).expected(front),
+     0.1, 1e-12, "trapezoids of a straight line");
 }
 
 TEST_CASE("what the tables of laboratories say is read as it is meant", "[evidence]") {
@@ -133,7 +134,7 @@ TEST_CASE("what the tables of laboratories say is read as it is meant", "[eviden
                     .quantity = {"R", "m", ""},
                     .readings = {}};
   const Measured runup = measured(runs, values_of("monai_valley")).front();
-  is(check, "repeats", "Six runs at the first place have the mean 0.0896 m.", runup.y.front(), 0.0896, 5e-5,
+  is(check, "repeats", "The mean run-up of six runs at the first position is 0.0896 m.", runup.y.front(), 0.0896, 5e-5,
      "half a unit of the last digit");
   is(check, "spread", "The standard deviation of the six runs is 0.0064 m.", runup.u.front(), 0.0064, 5e-5,
      "half a unit of the last digit");
@@ -147,9 +148,8 @@ TEST_CASE("what the tables of laboratories say is read as it is meant", "[eviden
                       .readings = {}};
   const Measured around = measured(island, values_of("island_gauges")).front();
   is(check, "distributions",
-     "The run-up lies anywhere between two distributions of it: their distance over sqrt(12) is an uncertainty.",
-     around.u.back(), std::hypot(0.06 * 0.032, (0.032 - 0.0225) / std::sqrt(12.0)), 1e-5,
-     "half a unit of the last digit");
+     "The standard uncertainty from two distributions of run-up is their difference over sqrt(12).", around.u.back(),
+     std::hypot(0.06 * 0.032, (0.032 - 0.0225) / std::sqrt(12.0)), 1e-5, "half a unit of the last digit");
   const Series pressure{.name = "pressure",
                         .table = "lobovsky_2014_dam_break_pressure",
                         .abscissa = {"T", "1", ""},
@@ -157,7 +157,7 @@ TEST_CASE("what the tables of laboratories say is read as it is meant", "[eviden
                         .band = {"p_low", "p_high"},
                         .readings = {}};
   const Measured median = measured(pressure, values_of("dam_break_wall_pressure")).front();
-  is(check, "band", "The band of the repeats is 0.20 to 0.28 wide on the plateau, 3.92 standard deviations.",
+  is(check, "band", "The standard deviation of the repeats on the plateau is 0.24 +- 0.04 over 3.92.",
      linear_at({median.x, median.u}, 4.5), 0.061, 0.0105, "0.24 +- 0.04 over 3.92");
   is(check, "median-impulse", "The impulse of the median is 1.426.", impulse(0, {2.46, 4.0}).expected(median), 1.426,
      0.01, "every twentieth row is kept: one row of 1.9 at the ends");
@@ -169,7 +169,7 @@ TEST_CASE("what the tables of laboratories say is read as it is meant", "[eviden
                       .still = Window{265, 267},
                       .readings = {}};
   const Measured fourth = measured(gauges, values_of("composite_beach", "C")).front();
-  is(check, "level", "With its level removed gauge 4 measures a wave of 0.681 depths.",
+  is(check, "level", "The wave height at gauge 4, with its level removed, is H/h = 0.681.",
      highest(4, {}).expected(fourth) / 0.218, 0.681, 0.0007, "half of the resolution, 0.3 mm, over the depth");
   const Series heights{.name = "heights",
                        .table = "kleefsman_2005_dam_break_box",
@@ -183,7 +183,7 @@ TEST_CASE("what the tables of laboratories say is read as it is meant", "[eviden
   }
   const bool order = wet.at(2) < wet.at(1) && wet.at(1) < wet.at(0);
   check.from("the geometry of the tank")
-      .that("places", "The probe nearest to the door gets wet first, the one behind the box last.", "order of arrivals",
+      .that("places", "The arrival times at the probes increase from the door to the wall.", "order of arrivals",
             {order ? 1.0 : 0.0},
             Qualitative{"arrivals at x = 1.488, 0.992, 0.496 m increase", "water runs from the door to the wall"});
 }
@@ -205,21 +205,23 @@ TEST_CASE("the metric of two readings is that of their covariance", "[evidence]"
     return metric(two, {{"gauge", {{.value = 0, .abscissa = {0, 1}, .values = {{"eta", {first, second}}}}}}}, sources);
   };
   const std::string exact = "rounding of two equations";
-  is(check, "data", "The data know a common factor to 0.05 sqrt(3/4).", of(1, 1).data, 0.05 * std::sqrt(0.75), 1e-12,
-     exact);
-  is(check, "input", "The incident amplitude knows it to 0.1.", of(1, 1).input, 0.1, 1e-12, exact);
-  is(check, "numerical", "Independent numerical errors of 0.06 know it to 0.06/sqrt(2).",
+  is(check, "data", "The uncertainty of a common factor from the data is 0.05 sqrt(3/4).", of(1, 1).data,
+     0.05 * std::sqrt(0.75), 1e-12, exact);
+  is(check, "input", "The uncertainty of a common factor from the incident amplitude is 0.1.", of(1, 1).input, 0.1,
+     1e-12, exact);
+  is(check, "numerical",
+     "The uncertainty of a common factor from independent numerical errors of 0.06 is 0.06/sqrt(2).",
      of(1, 1, {.numerical = {0.06, 0.06}}).numerical, 0.06 / std::sqrt(2.0), 1e-12, exact);
-  is(check, "parameter", "A parameter that changes both by 0.03 is one source.",
+  is(check, "parameter", "A parameter that changes both readings by 0.03 counts as one source.",
      of(1, 1, {.shared = {{0.03, 0.03}}}).input, std::hypot(0.1, 0.03), 1e-12, exact);
-  is(check, "common", "Both readings a fifth too high are a common factor of 1.2.", of(1.2, 1.2).difference, 0.2, 1e-12,
+  is(check, "common", "The common factor of two readings 20 % too high is 1.2.", of(1.2, 1.2).difference, 0.2, 1e-12,
      exact);
   Largest off;  // nothing is left beside the factor, and what rounding leaves may be negative
   for (int k = 1; k <= 100; ++k) off.add(std::abs(of(1 + 0.01 * k, 1 + 0.01 * k).difference - 0.01 * k));
-  is(check, "factors", "A common factor from 1.01 to 2 is found.", off.value(), 0, 1e-7,
+  is(check, "factors", "The estimated common factor is exact from 1.01 to 2.", off.value(), 0, 1e-7,
      "the root of the rounding that is left beside the factor");
   const Metric apart = of(1.2, 0.8);  // E^T V^-1 E = 2 0.2^2/(0.05^2/2) = 64 with one degree of freedom
-  is(check, "apart", "Readings a fifth too high and a fifth too low differ by 8 standard deviations.",
+  is(check, "apart", "The distance of readings 20 % too high and 20 % too low is 8 standard deviations.",
      apart.difference / apart.noticed(), 8 / 2.2365, 2e-4, "five digits of the quantile of sqrt(0.95)");
   is(check, "shared",
      "A common error of 20 % within the amplitude's uncertainty passes, the same of opposite signs fails.",
@@ -240,7 +242,7 @@ TEST_CASE("the metric of two readings is that of their covariance", "[evidence]"
     computed["gauges"].push_back({.value = k, .abscissa = {0, 1}, .values = {{"R", {1, 1}}}});
   }
   const Metric one_part = metric(all, computed, {});
-  is(check, "part", "A run-up 4 standard uncertainties too high does not disappear among thirty heights that agree.",
+  is(check, "part", "A run-up 4 standard uncertainties too high is detected among thirty heights that agree.",
      one_part.difference / one_part.noticed(), 4 / std::sqrt(-2 * std::log(1 - std::sqrt(0.95))), 1e-9,
      "rounding; chi-square of two degrees of freedom is exponential");
   const auto decides = [&](double height, double when, double factor = 1) {
@@ -356,7 +358,7 @@ TEST_CASE("a common shift of time or of zero is not held against a record, that 
     };
   };
   const Scored late = scored("dingemans_bar", shift(0.3));
-  is(check, "clock", "Where the origin of time is unknown, a common shift of 0.3 s is found.",
+  is(check, "clock", "The fitted common shift is 0.3 s if the origin of time is unknown.",
      late.numbers.at("gauges_time_shift"), 0.3, 0.005, "a parabola through lags 0.007 s apart");
   check.from("what scoring means")
       .that("clock-passes", "The number of claims missed through a common shift of the clock is zero.",
@@ -366,7 +368,7 @@ TEST_CASE("a common shift of time or of zero is not held against a record, that 
       .that("within-data", "The number of claims missed through errors below the uncertainty of the data is zero.",
             "claims that are missed", {static_cast<double>(near.missed)},
             Bound{0, "0.2 mm, of points that are known to 0.25 mm"});
-  is(check, "zero", "Where the zero of a gauge is its level before the wave, another zero is not held against it.",
+  is(check, "zero", "The zero level of a gauge has no effect if its level before the wave is removed.",
      static_cast<double>(scored("island_gauges", raised(0.003)).missed), 0, 0,
      "it is taken off the submitted record as off the measured one");
   const Scored late_alone = scored("dingemans_bar", [&](SubmittedGroup& one) {

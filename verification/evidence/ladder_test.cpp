@@ -78,20 +78,22 @@ TEST_CASE("a ladder of sizes tells order, limit, what one per cent needs and wha
   const Ladder first = ladder(1);
   const LadderQuantity& eta = first.quantities.at(0);
   const LadderQuantity& height = first.quantities.at(1);
-  is("Sizes are put in order, coarse first.", first.size == std::vector{0.1, 0.05, 0.025});
-  close("Of a first-order result the order is 1.", eta.order.order, 1, 1e-9, rounding);
+  is("The cell sizes are sorted, coarse first.", first.size == std::vector{0.1, 0.05, 0.025});
+  close("The reported order of a first-order result is 1.", eta.order.order, 1, 1e-9, rounding);
   close("The order of a result that is one number is 1.", height.order.order, 1, 1e-9, rounding);
-  close("The error on the finest cells is the error that was made.", height.error.back(), 0.075, 1e-12, rounding);
-  close("Of a second-order one it is 2.", ladder(2).quantities.at(0).order.order, 2, 1e-9, rounding);
+  close("The reported error on the finest cells is exact.", height.error.back(), 0.075, 1e-12, rounding);
+  close("The reported order of a second-order result is 2.", ladder(2).quantities.at(0).order.order, 2, 1e-9, rounding);
   const auto reach = first.reach(height, 0.01);
-  close("An error of 1 % from 3 h needs h = 1/300.", reach ? reach->size : 0, 1.0 / 300, 1e-9, rounding);
-  close("At a cost that grows with the cube it takes 27000 times a thousandth of a second.",
-        reach && reach->seconds ? *reach->seconds : 0, 27000, 1e-9, rounding);
+  close("The reported cell size for 1 % of an error 3 h is h = 1/300.", reach ? reach->size : 0, 1.0 / 300, 1e-9,
+        rounding);
+  close("The reported time for 1 % at cubic cost is 27 s.", reach && reach->seconds ? *reach->seconds : 0, 27000, 1e-9,
+        rounding);
   const Ladder second = ladder(2);
   const auto sooner = second.reach(second.quantities.at(1), 0.01);
-  close("Of 3 h^2 it needs h = sqrt(1/300).", sooner ? sooner->size : 0, std::sqrt(1.0 / 300), 1e-9, rounding);
+  close("The reported cell size for 1 % of an error 3 h^2 is h = sqrt(1/300).", sooner ? sooner->size : 0,
+        std::sqrt(1.0 / 300), 1e-9, rounding);
   // A scalar with error a h has 1.25 a h for its half-width: the safety factor of Roache.
-  close("The numerical error is 1.25 times the finest one.", height.numerical, 1.25 * 0.075, 1e-3,
+  close("The reported numerical error is 1.25 times the finest error.", height.numerical, 1.25 * 0.075, 1e-3,
         "the scan for the order has steps of 0.005");
   is("The printed line states order, error and reach.",
      first.line(height).find("your order is 1 (") != std::string::npos &&
@@ -103,8 +105,8 @@ TEST_CASE("a ladder of sizes tells order, limit, what one per cent needs and wha
     rough.push_back({.size = h, .submitted = submitted(h == 0.05 ? 0.09 : h, 1, 0)});
   }
   const Ladder scattered = ladder_of(wanted_of(evidence::Role::exact), rough);
-  is("Where three sizes scatter, that is said.",
-     scattered.line(scattered.quantities.at(1)).find("but 3 sizes hardly tell the order") != std::string::npos,
+  is("The scatter of three cell sizes is reported.",
+     scattered.line(scattered.quantities.at(1)).find("but 3 sizes leave the order uncertain") != std::string::npos,
      scattered.line(scattered.quantities.at(1)));
   int ranges = 0, outside = 0;
   for (const double scale : {1e-3, 0.05, 0.1, 1.0}) {  // errors of the finest from 0.0075 to 7.5 per cent
@@ -123,9 +125,10 @@ TEST_CASE("a ladder of sizes tells order, limit, what one per cent needs and wha
   is("The range of the size for one per cent holds that size, whatever the order's interval.",
      outside == 0 && ranges >= 12, fmt::format("{} of {} without", outside, ranges));
   const Ladder wrong = ladder(1, 0.5);
-  is("An error that stays is said to stay.",
+  is("An error that does not converge to zero is reported.",
      wrong.line(wrong.quantities.at(1)).find("not to zero") != std::string::npos, wrong.line(wrong.quantities.at(1)));
-  is("No size reaches one per cent then.", !wrong.reach(wrong.quantities.at(1), 0.01).has_value());
+  is("The reported cell size for 1 % is empty if the error does not converge to zero.",
+     !wrong.reach(wrong.quantities.at(1), 0.01).has_value());
 
   // Against data, what converges is the distance from the result's own limit, wherever that is.
   const Ladder measured = ladder(1, 0.5, evidence::Role::data);
@@ -139,7 +142,7 @@ TEST_CASE("a ladder of sizes tells order, limit, what one per cent needs and wha
         uncertainty.at("eta").value, measured.quantities.at(0).typical / 2, 1e-15, "the same number");
   std::map<std::string, StatedUncertainty> none;
   add_numerical(first, none);
-  is("Against an exact reference nothing is added.", none.empty());
+  is("The added uncertainty against an exact reference is zero.", none.empty());
 
   is("A series of two cell sizes is rejected.",
      refusal({{.size = 1}, {.size = 2}}).find("three or more") != std::string::npos);

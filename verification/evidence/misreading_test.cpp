@@ -95,10 +95,9 @@ TEST_CASE("what a curve was misread as is found, with its number", "[evidence]")
     check.holds(text, {misreading(submitted.curve(), reference.curve()) ? 1.0 : 0.0},
                 Qualitative{"misreading()", "no single change was planted", false});
   };
-  nothing("Of the reference itself nothing is said.", reference);
-  nothing("A difference of less than a hundredth of the range is none.",
-          sampled([](double t) { return gauge(t) + 0.002; }));
-  nothing("Noise is explained by no change.", noisy);
+  nothing("The diagnosis of the reference itself is empty.", reference);
+  nothing("A difference below 1 % of the range is not diagnosed.", sampled([](double t) { return gauge(t) + 0.002; }));
+  nothing("Noise is not attributed to a single change.", noisy);
 }
 
 TEST_CASE("the diagnosis names gauges that are exchanged or cut short, and says one thing once", "[evidence]") {
@@ -130,7 +129,7 @@ TEST_CASE("the diagnosis names gauges that are exchanged or cut short, and says 
   const auto says = [&](const std::string& id, const Submitted& submitted, std::size_t count, const std::string& words,
                         bool shift_fitted = false) {
     const std::vector<Finding> findings = diagnosis(wanted, submitted, shift_fitted);
-    check.holds(id + ": As many findings as there are.", {static_cast<double>(findings.size())},
+    check.holds(id + ": The number of findings is exact.", {static_cast<double>(findings.size())},
                 Bound{0, "by hand", static_cast<double>(count)});
     bool said = count == 0;
     for (const Finding& one : findings) said = said || (one.where + " " + one.words).find(words) != std::string::npos;

@@ -50,7 +50,7 @@ TEST_CASE("a front that is late is found to be as late as it is", "[evidence]") 
     slopes += steepness;
     squares += steepness * steepness;
   }
-  check.holds("The shift that fits equals the shift of the points.", {fit.shift},
+  check.holds("The fitted shift equals the shift of the points.", {fit.shift},
               Bound{of_lines * slopes / squares + of_halving,
                     "lines between points 1e-3 apart leave 6e-8, which least squares weigh by the slopes; the last of "
                     "20 halved steps is 2^-19 of 0.0035",
@@ -59,12 +59,12 @@ TEST_CASE("a front that is late is found to be as late as it is", "[evidence]") 
               Bound{of_lines + of_halving * std::sqrt(squares / 4),
                     "least squares leave no more than the true shift, whose lines leave 6e-8, and what is left of "
                     "halving times the slopes"});
-  check.holds("Points beyond the tank are left out.", {static_cast<double>(fit.points)}, Bound{0, "by hand", 4});
+  check.holds("Points beyond the tank are excluded.", {static_cast<double>(fit.points)}, Bound{0, "by hand", 4});
   double sum = 0;
   for (int k = 0; k < 4; ++k) sum += std::pow(front(late[k]) - measured[k], 2);
   check.holds("The difference before the shift agrees with the formulas.", {fit.raw_rms},
               Bound{1e-6, "lines between the points", std::sqrt(sum / 4)});
-  check.holds("The slope of a straight part is the slope.", {slope_between({T, T}, 1, 2)},
+  check.holds("The fitted slope of a straight part is exact.", {slope_between({T, T}, 1, 2)},
               Roundoff{4000, 1, "sums over 1000 points", 1});
   CHECK_THROWS_AS(shifted_front({T, X}, {late, measured}, 1.0), std::invalid_argument);
 }
@@ -75,7 +75,7 @@ TEST_CASE("distances of curves are those of lines and circles", "[evidence]") {
   const Polyline low{{0, 1}, {0, 0}};
   const Polyline high{{0, 0.3, 1}, {0.25, 0.25, 0.25}};
   const PolylineDistance lines = polyline_distance({low}, {high});
-  check.holds("The rms distance of parallel lines is their distance.", {lines.rms},
+  check.holds("The rms distance of parallel lines equals their distance.", {lines.rms},
               Roundoff{20, 1, "three segments", 0.25});
   const PolylineDistance circles = polyline_distance({circle(1, 1000)}, {circle(1.5, 1000)});
   check.holds("The rms distance of concentric circles is the difference of their radii.", {circles.rms},
@@ -83,10 +83,11 @@ TEST_CASE("distances of curves are those of lines and circles", "[evidence]") {
   check.holds("The largest distance of concentric circles is the difference of their radii.", {circles.largest},
               Bound{1.5 * pi * pi / 2 / 1e6, "the height of a chord of the larger one", 0.5});
   const PolylineDistance images = polyline_distance({low}, {Polyline{{2, 3}, {0, 0}}}, 2);
-  check.holds("A curve a period away is the same curve.", {images.rms}, Roundoff{20, 1, "one segment"});
+  check.holds("The distance of a curve from its copy one period away is zero.", {images.rms},
+              Roundoff{20, 1, "one segment"});
   // From the part nothing is missing; from the whole, its two further pieces are half and one and a half away.
   const PolylineDistance part = polyline_distance({low}, {Polyline{{0, 1, 2, 3}, {0, 0, 0, 0}}});
-  check.holds("A curve and a part of it.", {part.rms},
+  check.holds("The distance of a curve from a part of itself is zero.", {part.rms},
               Roundoff{20, 2, "four segments", std::sqrt(0.5 * (0.25 + 2.25) / 3)});
   CHECK_THROWS_AS(polyline_distance({}, {low}), std::invalid_argument);
 }
@@ -122,7 +123,7 @@ TEST_CASE("the steep wave starts with the velocities and accelerations of potent
               Bound{1e-10, "128 markers resolve the first surface to round-off of the kernels"});
   check.holds("Accelerations at the surface agree with the boundary integral.", {acceleration.value() / gravity},
               Bound{1e-5, "a second-order difference over 1e-4 s of velocities that change within 0.05 s leaves 4e-6"});
-  check.holds("The pressure at the surface is zero between the points too.", {start.surface_defect()},
+  check.holds("The pressure at the surface is zero between the points.", {start.surface_defect()},
               Bound{1e-9, "24 terms of a series whose terms fall by a factor of 2.2"});
   check.holds("The velocity through the bottom is zero to round-off.", {std::abs(start.velocity(0.3, -depth)[1])},
               Roundoff{4, fastest.value(), "sinh of zero"});

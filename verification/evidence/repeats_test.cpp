@@ -26,7 +26,7 @@ TEST_CASE("of several runs the mean is judged, and the scatter is known", "[evid
     check.holds(text, {got}, Roundoff{30, 3, "three numbers up to 3 at 9 points", expected});
   };
   const SubmittedGroup& mean = repeats.mean.at("wave").front();
-  is("The mean is given at the points of the first run.", static_cast<double>(mean.abscissa.size()), 9);
+  is("The mean of the repeats is given at the points of the first run.", static_cast<double>(mean.abscissa.size()), 9);
   is("The mean of the repeats is the mean at every point.", mean.values.at("eta").back(), 3);
   is("The scatter is the standard deviation of single runs.", repeats.scatter.at("eta"), 0.01);
 
@@ -36,10 +36,11 @@ TEST_CASE("of several runs the mean is judged, and the scatter is known", "[evid
      std::sqrt(1e-4 + 1e-4 / 3));
   std::map<std::string, StatedUncertainty> share{{"eta", {.value = 0, .relative = true}}};
   add_scatter(repeats, share);
-  is("Beside a share it is the same, however small the reference.", share.at("eta").of(0.1), 0.01 / std::sqrt(3.0));
+  is("The uncertainty of the mean is added to a relative uncertainty, however small the reference.",
+     share.at("eta").of(0.1), 0.01 / std::sqrt(3.0));
   std::map<std::string, StatedUncertainty> nothing;
   add_scatter(repeats, nothing);
-  is("Where nothing is stated nothing is known.", static_cast<double>(nothing.size()), 0);
+  is("The uncertainty of the mean is unknown if no uncertainty is stated.", static_cast<double>(nothing.size()), 0);
 
   CHECK_THROWS_WITH(repeats_of({line(0, 0.5)}), "--repeats 1: must be at least 2");
   Submitted other = line(0, 0.5);

@@ -100,13 +100,13 @@ TEST_CASE("a declared submission is measured and judged in every group", "[evide
                 Qualitative{"\"" + expected + "\"", "stated in the interface"});
   };
   const evidence::Record good = scored({table(profiles(0), "p.csv"), table("runup\n2.05\n", "r.csv")});
-  is("Exact profiles with a stated uncertainty pass.", verdict(good, "eta-relative_l2"), "pass");
+  is("Exact profiles with a stated uncertainty pass the score.", verdict(good, "eta-relative_l2"), "pass");
   const evidence::Record bad = scored({table(profiles(0.1), "p.csv")});
   is("Wrong profiles at one of two times fail the claim.", verdict(bad, "eta-relative_l2"), "fail");
   const evidence::Record both = scored({table(profiles(0.1, 0.06), "p.csv")});
-  is("Of two times that fail the one that is farther off is shown.", shown(both, "eta-relative_l2"), "t = 2");
-  is("A table that is not submitted fails its coverage.", verdict(bad, "heights-coverage"), "fail");
-  is("Of what it would hold nothing is scored.", verdict(bad, "runup-value"), "no such claim");
+  is("The failing time with the larger error is shown.", shown(both, "eta-relative_l2"), "t = 2");
+  is("A missing table fails its coverage claim.", verdict(bad, "heights-coverage"), "fail");
+  is("The quantities of a missing table are not scored.", verdict(bad, "runup-value"), "no such claim");
   const auto drawn = [&](evidence::Role role) {
     std::vector<WantedTable> wanted = wanted_tables();
     for (WantedTable& one : wanted) one.reference_role = role;
@@ -117,16 +117,16 @@ TEST_CASE("a declared submission is measured and judged in every group", "[evide
     score(wanted, submitted_from({table(profiles(0), "p.csv")}, wanted, understood), {}, record);
     return static_cast<double>(record.figures().front().panels().front().series().front().x.size());
   };
-  check.holds("An exact reference is drawn between the points too.", {drawn(Role::exact)},
+  check.holds("An exact reference is drawn between the points.", {drawn(Role::exact)},
               Bound{0, "601 places, and the points asked for", 601 + 51});
-  check.holds("A measured reference is drawn at its points alone.", {drawn(Role::data)}, Bound{0, "its points", 51});
-  check.holds("Each time is measured by itself.", {bad.measurements().at("eta_relative_l2_t_2")},
+  check.holds("A measured reference is drawn at its points only.", {drawn(Role::data)}, Bound{0, "its points", 51});
+  check.holds("Each instant is measured separately.", {bad.measurements().at("eta_relative_l2_t_2")},
               Roundoff{2 * 51, 0.1, "a rounded term and a rounded sum for each of 51 points", 0.1});
 
   // |E| = 0.25 beside u_data = 0.1: fails alone, passes with u_num = 0.1 (2 sqrt(0.02) = 0.283), and says nothing where
   // u_num = 0.5 makes the expanded uncertainty 1.02 > 0.5.
   const std::string run_up = "runup [m]\n2.25\n";
-  is("Without a stated uncertainty nothing can be said.", verdict(scored({table(run_up, "r")}), "runup-value"),
+  is("A comparison without a stated uncertainty is inconclusive.", verdict(scored({table(run_up, "r")}), "runup-value"),
      "inconclusive");
   is("A stated uncertainty of 0 gives the strictest comparison.",
      verdict(scored({table(run_up, "r")}, "0"), "runup-value"), "fail");
@@ -137,7 +137,7 @@ TEST_CASE("a declared submission is measured and judged in every group", "[evide
   is("A stated uncertainty beyond its ceiling does not turn a failure into a pass.",
      verdict(scored({table(run_up, "r")}, "0.5"), "runup-value"), "inconclusive");
 
-  is("A result without one of the times is no full result.",
+  is("A result without one of the instants fails its coverage claim.",
      verdict(scored({table("t,x,eta\n1,0,0\n1,10,0\n", "mine.csv")}), "profiles-given"), "fail");
   const std::string in_order = profiles(0);
   std::istringstream lines(in_order.substr(in_order.find('\n') + 1));
@@ -145,7 +145,7 @@ TEST_CASE("a declared submission is measured and judged in every group", "[evide
   for (std::string line; std::getline(lines, line);) reversed = line + "\n" + reversed;
   is("Rows in the reverse order are sorted.",
      verdict(scored({table("t,x,eta\n" + reversed, "mine.csv")}), "eta-relative_l2"), "pass");
-  is("What the rows differ in is named, where the file says.",
+  is("The column in which the rows differ is named in the message.",
      refusal("t,x,y,eta\n1,0,0,0\n1,1,0,0\n1,0,3,0\n1,1,3,0\n2,0,0,0\n2,1,0,0\n"), "holds y = 0 and 3, and one alone");
   is("Several rows of single numbers are rejected.", refusal("runup\n1\n2\n"),
      "mine.csv: column runup: 2 rows, must be exactly one");
@@ -193,9 +193,9 @@ TEST_CASE("an arrival is measured where something arrives", "[evidence]") {
     return record.measurements();
   };
   const double pi = std::acos(-1.0);
-  check.holds("What rises 0.2 s late arrives as late.", {measured(-0.5 * pi).at("eta_arrival_error")},
+  check.holds("The arrival error of a rise lagging by 0.2 s is 0.2 s.", {measured(-0.5 * pi).at("eta_arrival_error")},
               Bound{0.002, "lines between points 0.1 apart miss a sine by 0.1^2/8", 0.2});
-  check.holds("What falls from the start does not arrive.",
+  check.holds("A falling series has no arrival time.",
               {static_cast<double>(measured(0.5 * pi).count("eta_arrival_error"))},
               Qualitative{"a measurement eta_arrival_error", "nothing arrives", false});
 }

@@ -84,7 +84,8 @@ TEST_CASE("numbers in folders, patches and wide tables get rows of their own", "
             "x,U_x,U_y,U_z,t,h,p_rgh|0,5,6,7,0.5,1,10|1,8,9,10,0.5,2,20|0,11,12,13,10,3,30");
   folder.write("points/1/line_h.xy", "# x y z h\n0 0.5 0 4\n");
   folder.write("points/2/line_h.xy", "0 0.5 0 5\n");
-  folder.is("points", "Three coordinates are not taken for a vector.", "points", "x,y,z,h,t|0,0.5,0,4,1|0,0.5,0,5,2");
+  folder.is("points", "Three coordinates are not interpreted as a vector.", "points",
+            "x,y,z,h,t|0,0.5,0,4,1|0,0.5,0,5,2");
   folder.write("two/1/a_h.xy", "0 1\n");
   folder.write("two/1/b_h.xy", "5 1\n");
   folder.refused("several", "Sets of different points in one folder are not mixed.", "two", "2 sets");
@@ -96,11 +97,11 @@ TEST_CASE("numbers in folders, patches and wide tables get rows of their own", "
   folder.write("probes/0/p", probes + "0 1 2\n1 3 4\n2 5 6\n");
   folder.write("probes/0.5/h", probes + "1 22 23\n");
   folder.write("probes/0.5/p", probes + "1 7 8\n");
-  folder.is("restart", "What a restart repeats stands below what was before.", "probes",
+  folder.is("restart", "Rows repeated by a restart follow the earlier rows.", "probes",
             "x,y,z,t,h,p|1,0,0,0,10,1|1,0.5,0,0,11,2|1,0,0,1,12,3|1,0.5,0,1,13,4|1,0,0,2,14,5|1,0.5,0,2,15,6|1,0,0,1,"
             "22,7|1,0.5,0,1,23,8");
   const validation::RowOrder order = validation::in_order({0, 1, 2, 3, 1, 2, 3, 4}, {0, 1, 2, 3, 4, 5, 6, 7});
-  check.holds("What a restart repeats replaces what was before.",
+  check.holds("Rows repeated by a restart replace the earlier rows.",
               {order.rows == std::vector<std::size_t>{0, 4, 5, 6, 7} ? 1.0 : 0.0},
               Qualitative{"rows 0, 4, 5, 6, 7", "the later rows count"});
 
@@ -108,13 +109,13 @@ TEST_CASE("numbers in folders, patches and wide tables get rows of their own", "
   const std::string fine = "2 grid_number\n2 AMR_level\n2 mx\n1 xlow\n0.5 dx\n\n4 0 4\n5 0 5\n";
   folder.write("_output/fort.q0002", coarse + fine);
   folder.write("_output/fort.t0002", "  7.0 time\n");
-  folder.is("patches", "Of two patches the finer one counts, in the order of x.", "_output",
+  folder.is("patches", "The finer of two patches counts, in the order of x.", "_output",
             "x,t,h,hu,eta|0.5,7,1,0,1|1.25,7,4,0,4|1.75,7,5,0,5|2.5,7,3,0,3");
   folder.write("plan/fort.q0000",
                "1 grid_number\n1 AMR_level\n2 mx\n2 my\n0 xlow\n0 ylow\n1 dx\n2 dy\n\n1 2 3 4\n5 6 7 8\n\n9 10 11 "
                "12\n13 14 15 16\n");
   folder.write("plan/fort.t0000", "0 time\n");
-  folder.is("plan", "In two dimensions x runs fastest.", "plan",
+  folder.is("plan", "The index x runs fastest in two dimensions.", "plan",
             "x,y,t,h,hu,hv,eta|0.5,1,0,1,2,3,4|1.5,1,0,5,6,7,8|0.5,3,0,9,10,11,12|1.5,3,0,13,14,15,16");
   folder.write("mixed/fort.q0000",
                coarse + "2 grid_number\n2 AMR_level\n1 mx\n1 my\n0 xlow\n0 ylow\n1 dx\n1 dy\n\n1 0 0 1\n");
@@ -126,7 +127,7 @@ TEST_CASE("numbers in folders, patches and wide tables get rows of their own", "
   folder.is("layers", "A gauge of several layers has the surface after them.", "layers/gauge00001.txt",
             "level,t,q1,q2,q3,q4,q5,q6,eta,eta2,x,y|1,0,1,2,3,4,5,6,0.5,0.25,2,3");
   folder.write("names/6/_.xy", "0 1 2\n1 1 2\n");
-  folder.refused("underscore", "The name of a set says its columns.", "names/6/_.xy", "do not fit the name");
+  folder.refused("underscore", "The columns follow from the name of the set.", "names/6/_.xy", "do not fit the name");
   folder.write("nowhere.csv", " ;PosX [m]:\n ;PosY [m]:\n ;PosZ [m]:\nPart;Time [s]\n0;0.0\n1;1.0\n");
   folder.refused("nowhere", "MeasureTool without a position is rejected.", "nowhere.csv", "no positions");
   folder.write("cut/fort.q0000", coarse.substr(0, coarse.size() - 7));
@@ -134,9 +135,9 @@ TEST_CASE("numbers in folders, patches and wide tables get rows of their own", "
   folder.refused("cut", "A patch that ends early is rejected.", "cut", "1 cells before the patch does");
 
   folder.write("sta_0007", "0 1 2 3\n");
-  folder.is("station", "A station has its four columns.", "sta_0007", "t,eta,u,v|0,1,2,3");
+  folder.is("station", "The columns of a station are its four quantities.", "sta_0007", "t,eta,u,v|0,1,2,3");
   folder.write("table.tbl", "%\n% Run:1 Table:T SWASH\n%\n% Tsec Xp Watlev\n% [sec] [m] [m]\n%\n0 1 2\n");
-  folder.is("swash", "A table of SWASH says its columns in its header.", "table.tbl", "Tsec,Xp,Watlev|0,1,2");
+  folder.is("swash", "The columns of a SWASH table follow from its header.", "table.tbl", "Tsec,Xp,Watlev|0,1,2");
   folder.write("points.txt", "# 1:t 2:x 3:T\n0 1 0.5\n");
   folder.is("gerris", "A table of Gerris is read with the columns that its header names.", "points.txt",
             "t,x,T|0,1,0.5");

@@ -77,14 +77,13 @@ TEST_CASE("a table has every number where the file has it", "[evidence]") {
   claims.none_wrong("csv-lines", "Each row of a CSV file knows its line number.",
                     wrong_entries({{csv.lines.begin(), csv.lines.end()}}, {{3, 5, 7}}));
   std::istringstream beginning("ab\r\ncdef\ngh");
-  claims.none_wrong("most", "Of a file no more bytes are read than asked for.",
+  claims.none_wrong("most", "The number of bytes read is limited as requested.",
                     wrong_words(io::text_of(beginning, "table.csv", 6).lines, {"ab", "cd"}));
   claims.is_refused("comma", "Decimal commas between commas are rejected.", refused("t,h\n0,5,1,5\n"));
-  claims.is_refused("missing", "An entry that is missing is rejected, it does not become 0.",
-                    refused("t,h\n0,\n1,2\n"));
+  claims.is_refused("missing", "A missing entry is rejected and does not become 0.", refused("t,h\n0,\n1,2\n"));
   claims.is_refused("trailing", "Text that follows a number is rejected.", refused("t,h\n0,1.5m\n"));
   claims.is_refused("nan", "An entry that is not a finite number is rejected.", refused("t,h\n0,nan\n"));
-  claims.is_refused("twice", "A column that is there twice is rejected.", refused("t,t\n0,1\n"));
+  claims.is_refused("twice", "A duplicate column is rejected.", refused("t,t\n0,1\n"));
 
   const ScratchFolder scratch("seiche_table_readers");
   const auto file = scratch.path() / "table";
@@ -105,7 +104,7 @@ TEST_CASE("a table has every number where the file has it", "[evidence]") {
                     wrong_entries(columns, numbers));
   claims.none_wrong("hdf5-units", "Units of HDF5 datasets are read from their attributes.",
                     wrong_words(units, {"s", "m", ""}));
-  claims.none_wrong("hdf5-wanted", "What is not asked for is not read.",
+  claims.none_wrong("hdf5-wanted", "Datasets that are not requested are not read.",
                     wrong_words(io::read_table(file, {"h"}).names, {"h"}));
 }
 
@@ -189,12 +188,12 @@ TEST_CASE("a submission is read by the names and units of its columns", "[eviden
       read("u [km/h],depth [cm],x [m],t [ms]\n36,100,0,1000\n18,200,10,1000\n7,3,0,2000\n8,4,10,2000\n");
   claims.none_wrong("units", "Other units of the same kind are converted.",
                     wrong_entries({converted.at(0).values.at("h"), converted.at(0).values.at("u")}, {{1, 2}, {10, 5}}));
-  claims.is_refused("unit", "Seconds are not taken for metres.",
+  claims.is_refused("unit", "A column in seconds is not interpreted as metres.",
                     not_accepted("u [m/s],depth [s],x [m],t [s]\n5,1,0,1\n6,2,10,1\n7,3,0,2\n8,4,10,2\n"));
   claims.is_refused("no-time", "A profile without its times is not taken for the profile at time 0.",
                     not_accepted("u,depth,x\n5,1,0\n6,2,10\n"));
   const std::vector<SubmittedGroup> sorted = read("u,depth,x,t\n6,2,10,1\n5,1,0,1\n7,3,0,2\n8,4,10,2\n");
-  claims.none_wrong("order", "Positions that go back are put into order.",
+  claims.none_wrong("order", "Decreasing positions are sorted.",
                     wrong_entries({sorted.at(0).abscissa, sorted.at(0).values.at("u")}, {{0, 10}, {5, 6}}));
   const std::vector<SubmittedGroup> part = read("u,depth,x,t\n7,3,0,2\n8,4,5,2\n,,7,2\n9,5,10,2\n");
   claims.none_wrong("part", "A submission of one time of two is read, and missing values are gaps.",

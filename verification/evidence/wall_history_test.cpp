@@ -73,7 +73,7 @@ void claim_coverage(Check& check) {
       Bound{0,
             "what a stem still misses at t is at most a_inf exp(-r t) with the rate r = S^3 kappa (1 - kappa)/3 of the "
             "theory, and the interval reaches as far"});
-  check.holds("The interval is not merely wide: at t = 8/r it has closed.",
+  check.holds("The interval at t = 8/r is closed to exp(-8).",
               {.value = widest.value(), .where = fmt::format("kappa = {:g}", widest.where())},
               Bound{3 * std::exp(-8.0),
                     "exp(-8) by the law of the rate, and the fits may differ from each other by twice that: the "
@@ -101,7 +101,7 @@ TEST_CASE("the limit of a growing wall amplitude is known within its stated unce
       CHECK(found.steady() == (settling_times > 4));
     }
   }
-  check.holds("The rate of an exact stem is found where it has nearly settled.", {[] {
+  check.holds("The fitted rate of a nearly settled exact stem is accurate.", {[] {
                 const History history = stem(0.6, 8);
                 return wall_limit(history.time, history.amplitude).exponential.rate /
                        ExactReflection(0.3, 0.6).settling_rate();
@@ -131,7 +131,7 @@ TEST_CASE("the limit of a growing wall amplitude is known within its stated unce
   check.holds("A series that grows like a straight line has no limit that could be stated.",
               {none.amplitude.uncertainty > 0.5 ? 1.0 : 0.0},
               Qualitative{"uncertainty larger than half of the last value", "no curvature to extrapolate"});
-  check.holds("A series that does not bend is reported as straight.",
+  check.holds("A straight series is reported as straight.",
               {exponential_approach(line.time, line.amplitude).bends ? 1.0 : 0.0},
               Qualitative{"the best rate is not the slowest of those tried",
                           "the misfit falls towards the straight line", false});
@@ -141,7 +141,7 @@ TEST_CASE("the limit of a growing wall amplitude is known within its stated unce
                0.2 * 598 / 600});
   CHECK_FALSE(none.steady());
   const History late = sampled(600, [](double t) { return t < 60 ? 0.5 : 1; });
-  check.holds("What a series was long before it became steady does not widen its limit.",
+  check.holds("The early part of a steady series does not widen the uncertainty of its limit.",
               {wall_limit(late.time, late.amplitude).amplitude.uncertainty.value()},
               Bound{1e-9, "fits of a constant, to round-off of sums over 200 values"});
 

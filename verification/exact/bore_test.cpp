@@ -31,7 +31,7 @@ TEST_CASE("bore and stationary jump satisfy the jump conditions", "[exact]") {
   check.that("mass", "Mass is conserved across the bore to round-off.", "h1 (u1 - a) + h0 a [m^2/s]", {2 * (u - a) + a},
              limit);
   check.that(
-      "momentum", "Momentum is conserved across the bore to round-off.", "defect of the momentum condition [m^3/s^2]",
+      "momentum", "Momentum is conserved across the bore to round-off.", "residual of the momentum condition [m^3/s^2]",
       {2 * (u - a) * u - 0.5 * g * (1 - 4)},
       Roundoff{20, 15,
                "20 roundings, those of the speed and velocity included, of g (h1^2 - h0^2)/2 = 15 on each side"});
@@ -60,8 +60,8 @@ TEST_CASE("a bore reflected from a wall leaves water at rest", "[exact]") {
     const auto mean = validation::cell_average(reflection, 0, 10, t);
     defect.add(10 * mean.depth - 5 - 5 * reflection.incident().ahead().depth - 1.3 * t);
   }
-  check.that("mass", "Mass grows by the inflow, before and after the reflection.", "mass defect [m^2]",
-             {defect.value()}, Roundoff{60, 15, "sums of 20 points up to 15 m^2"});
+  check.that("mass", "Mass grows by the inflow, before and after the reflection.", "mass error [m^2]", {defect.value()},
+             Roundoff{60, 15, "sums of 20 points up to 15 m^2"});
   const BoreReflection same(Bore(g, reflection.incident().ahead().depth, 1, 0, 5), 10);
   CHECK(std::abs(same.reflected_depth() - reflection.reflected_depth()) < 1e-14);
 }

@@ -159,7 +159,7 @@ void try_members(bool longest) {
     CHECK((accepted.value() > 0 || members_of(solution) < 10));
   }
   const auto members = static_cast<double>(refused.samples());
-  check.holds("Every member that is accepted keeps its own identities.", {broken.value()},
+  check.holds("Every accepted parameter set satisfies the identities of the solution.", {broken.value()},
               Bound{0, "a declared range is a promise"});
   check.holds("Every rejection names a parameter of the solution.", {nameless.value()},
               Bound{0, "the user must know what to change"});

@@ -37,7 +37,8 @@ TEST_CASE("the flow at the dam turns critical at the critical ratio", "[exact]")
     worst.add(state.depth - 4.0 / 9);
     worst.add(state.velocity - 2 * std::sqrt(g) / 3);
   }
-  check.that("upstream-of-critical", "Below the critical ratio the dam does not feel the water downstream.",
+  check.that("upstream-of-critical",
+             "The state at the dam below the critical ratio is independent of the downstream depth.",
              "difference of the state at the dam from the dry-bed state", {worst.value()},
              Roundoff{20, 4, "20 rounded operations on velocities up to 4"});
 }
@@ -64,9 +65,9 @@ TEST_CASE("dam-break mass and momentum follow from the integral laws", "[exact]"
     residual.add(
         verification::shallow_water_residual([&](double a, double b) { return dam.at(a, b); }, g, x, t, 0.02, 0.02));
   }
-  check.that("mass", "Mass of the exact dam break is constant.", "mass defect [m^2]", {mass.value()},
+  check.that("mass", "Mass of the exact dam break is constant.", "mass error [m^2]", {mass.value()},
              Roundoff{100, 60, "four pieces of ten points, sums up to 60"});
-  check.that("momentum", "Momentum grows by the thrust difference.", "momentum defect [m^3/s]", {momentum.value()},
+  check.that("momentum", "Momentum grows by the thrust difference.", "momentum error [m^3/s]", {momentum.value()},
              Roundoff{100, 60, "four pieces of ten points, sums up to 60"});
   check.that("residual", "The residuals of both shallow-water equations in the rarefaction fan are below 1e-9.",
              "residual [m^2/s^2]", {residual.value()},

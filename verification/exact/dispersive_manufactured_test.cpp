@@ -123,14 +123,14 @@ TEST_CASE("the manufactured motion over an uneven bottom satisfies the forced di
   // of the highest, 2 pi/10 * 32, two derivatives by 1/sqrt(5) of its square; and it adds that of its sums: 64 terms,
   // of which the largest are a third of the highest wavenumber. Labels are compressed by no more than 1.25.
   const double highest = 2 * pi / 10 * 32;
-  check.that("green-naghdi", "In the Green-Naghdi frame the sources agree with the Green-Naghdi momentum equation.",
+  check.that("green-naghdi", "The sources in the Green-Naghdi frame agree with the Green-Naghdi momentum equation.",
              "residual of the momentum equation [m/s^2]",
              {.value = green_naghdi_residual.value(), .resolution = "64 labels"},
              Roundoff{60 + 2 * 64, 0.2 * 1.5 * 1.5 * std::pow(1.25 * highest, 2) / (3 * std::sqrt(5)),
                       "twice differentiated: mean fourth power of the wavenumbers, its root, times H^2/3; "
                       "accelerations below 0.2 rounded 60 times, 64 sums per derivative"});
   check.from("Frank, Discrete models of incompressible fluids (1994), ch. 3, formulas 11, 12")
-      .that("frank", "In the frame along the bottom the sources agree with the limit of Frank's model.",
+      .that("frank", "The sources in the frame along the bed agree with the limit of Frank's model.",
             "residual of both equations [m/s^2]", {.value = frank_residual.value(), .resolution = "64 labels"},
             Roundoff{60 + 64, 1.25 * highest / std::sqrt(3),
                      "once differentiated; values below 1 rounded 60 times, 64 sums"});
@@ -147,8 +147,9 @@ TEST_CASE("the manufactured motion over an uneven bottom satisfies the forced di
     flat.add(one.p - other.p);
     flat.add(one.r - other.r);
   }
-  check.that("flat", "On a flat bottom the two frames agree.", "largest difference of rates and sources [m/s]",
-             {flat.value()}, Roundoff{10, 1, "the same sums with exact zeros added"});
+  check.that("flat", "The sources of both frames agree on a flat bed to round-off.",
+             "largest difference of rates and sources [m/s]", {flat.value()},
+             Roundoff{10, 1, "the same sums with exact zeros added"});
   const auto a_label = frank.at(2.5, 0.7);
   const auto one_period_on = frank.at(12.5, 0.7);
   CHECK(std::abs(one_period_on.x - a_label.x - 10) < 1e-14);

@@ -110,9 +110,9 @@ TEST_CASE("Gerstner's wave satisfies the Euler equations", "[exact]") {
   refine(
       check, {.axis = "width of the differences", .sizes = falling(0.04, 5), .title = {}, .floor = 1e-11},
       {{"euler",
-        "Continuity, Euler's equations and the vorticity hold at fixed places.",
+        "The residuals of continuity, Euler's equations and vorticity at fixed positions converge at fourth order.",
         {4, 0.3, "fourth-order differences of a smooth solution"}},
-       {"jacobian", "Areas change from labels to places by the factor J = 1 - e^{2kb}, at any time.", fourth},
+       {"jacobian", "The area ratio from labels to positions is J = 1 - e^{2kb} at any time.", fourth},
        {"acceleration",
         "The acceleration of a particle is the rate of its velocity: the difference falls at fourth order.", fourth}},
       [&](double span) {
@@ -133,7 +133,7 @@ TEST_CASE("Gerstner's wave satisfies the Euler equations", "[exact]") {
     }
     CHECK(one.pressure({0.3, top}) == 0);
   }
-  check.that("inversion", "The particle found at a place is the one that is there.",
+  check.that("inversion", "The inversion from position to particle is exact to round-off.",
              "error of the label times its conditioning 1 - e^{k b0} [m]", {inversion.value()},
              Roundoff{30, 5, "30 roundings of labels and places up to 5 m"});
   check.that("elevation", "The elevation passes through the particles of the surface.", "error of the elevation [m]",

@@ -68,15 +68,15 @@ TEST_CASE("a steep wave over a bottom overturns, touches down and keeps what the
   second.tolerance = 1e-11;
   const OverturningWave other(second);
   const std::string both = " by 512 markers, tolerance 2e-11, less 448 markers, 1e-11";
-  check.that("self-convergence", "At 0.46 periods the surface does not depend on the markers and the tolerance.",
+  check.that("self-convergence", "The surface at 0.46 periods does not depend on resolution and tolerance.",
              "Hausdorff distance of 512 markers, tolerance 2e-11, and 448 markers, 1e-11 [1/k]",
              {curve(wave.profile(0.46 * finite_period)).distance(curve(other.profile(0.46 * finite_period)))},
              Bound{1e-8, "five times the distance between surfaces by 512 and 1024 markers, 2e-9"});
-  check.that("vertical-tangent", "The time of the first vertical tangent does not depend on markers and tolerance.",
+  check.that("vertical-tangent", "The time of the first vertical tangent does not depend on resolution and tolerance.",
              "time" + both + " [1/sqrt(g k)]",
              {wave.vertical_tangent_time().value() - other.vertical_tangent_time().value()},
              Bound{1e-8, "errors of some 400 steps of tolerance 2e-11, of a front that moves at a speed of order 1"});
-  check.that("touch-down", "The time of touch-down does not depend on markers and tolerance.",
+  check.that("touch-down", "The time of jet impact does not depend on resolution and tolerance.",
              "extrapolated time" + both + " [1/sqrt(g k)]",
              {wave.touch_down_time().value() - other.touch_down_time().value()},
              Bound{0.0017, "the difference of that time between 512 and 1024 markers"});
@@ -103,7 +103,7 @@ TEST_CASE("a steep wave in deep water overturns, and keeps what the motion keeps
     nose_x.add(jet.nose_x - x);
     nose_y.add(jet.nose_y - y);
   }
-  check.that("nose-abscissa", "The nose of the jet is as far ahead as the reference's, at t = 4 and 4.4.",
+  check.that("nose-abscissa", "The position of the jet tip agrees with the reference at t = 4 and 4.4.",
              "largest difference [1/k]", {nose_x.value()}, Bound{5e-6, "half a unit of the last printed digit"});
   check.that("nose-ordinate", "The height of the jet's nose agrees with the reference at t = 4 and 4.4.",
              "largest difference [1/k]", {nose_y.value()},

@@ -49,7 +49,7 @@ void claim_stokes_wave_stays(Check& check) {
       difference.add(profile.y[j] - stokes.elevation(profile.x[j], t), t);
     }
   }
-  check.that("stokes-wave", "Without pressure the Stokes wave travels unchanged for more than a period.",
+  check.that("stokes-wave", "The Stokes wave without pressure is unchanged after more than one period.",
              "largest difference from the Stokes wave [1/k]",
              {.value = difference.value(), .resolution = "128 markers, tolerance 2e-11"},
              Bound{error_of_steps(500, last_frame),
@@ -86,7 +86,8 @@ void claim_linear_theory(Check& check) {
                          "most 3 per cent of it, 0.04 of the order at its largest"};
   check.source(linear_theory);
   refine(check, {.axis = "p0", .sizes = falling(0.04, 4), .id = "linear", .title = {}},
-         {{"linear-forced", "Water at rest answers the pressure as linear theory says, while it acts.", second},
+         {{"linear-forced",
+           "The response of still water to the pressure agrees with linear theory while the pressure acts.", second},
           {"linear-free", "The wave that the pressure leaves agrees with linear theory.", second}},
          [](double p0) {
            const PressureForcedWave wave({.amplitude = 0, .pressure = p0, .markers = 64, .last_time = 5});

@@ -73,10 +73,10 @@ TEST_CASE("Riemann solutions obey the integral laws for random states, dry beds 
       .scale = 1,
       .reason =
           "four pieces of ten points with six roundings each, relative to depth x speed; the largest of 2000 draws"};
-  check.that("mass", "Mass changes by the fluxes at the ends.", "relative mass defect", {mass.value()}, limit);
-  check.that("momentum", "Momentum changes by the thrusts and fluxes at the ends.", "relative momentum defect",
+  check.that("mass", "Mass changes by the fluxes at the ends.", "relative mass error", {mass.value()}, limit);
+  check.that("momentum", "Momentum changes by the thrusts and fluxes at the ends.", "relative momentum error",
              {momentum.value()}, limit);
-  check.that("rankine-hugoniot", "Every jump satisfies both jump conditions.", "relative defect of the jump conditions",
+  check.that("rankine-hugoniot", "Every jump satisfies both jump conditions.", "relative error of the jump conditions",
              {rankine_hugoniot.value()}, limit);
 }
 
@@ -106,7 +106,7 @@ TEST_CASE("colliding bores meet and pass", "[exact]") {
     const double inflow = bores.left().depth * bores.left().velocity - bores.right().depth * bores.right().velocity;
     defect.add(100 * mean.depth - (60 + 40 + 45) - t * inflow);
   }
-  check.that("mass", "Mass grows by what the ends let in, before and after the collision.", "mass defect [m^2]",
+  check.that("mass", "Mass grows by what the ends let in, before and after the collision.", "mass error [m^2]",
              {defect.value()}, Roundoff{100, 200, "sums of 50 points up to 200 m^2"});
 }
 

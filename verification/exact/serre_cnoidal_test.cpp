@@ -60,7 +60,7 @@ double mean_along_surface(const SerreCnoidal& wave, double span) {
 void draw(Check& check) {
   auto& panel = check
                     .figure("waves", "Cnoidal waves of Serre's equations",
-                            "Of one length, 10 depths: the higher, the narrower the crest.")
+                            "The crest width of waves of length 10 h falls with their height.")
                     .panel({.x = "x/depth", .y = "elevation/height"});
   for (const double height : {0.02, 0.1, 0.4}) {
     const SerreCnoidal wave(height, 10, 1, 1);
@@ -80,7 +80,7 @@ TEST_CASE("cnoidal waves satisfy Serre's equations, between linear and solitary 
   refine(
       check,
       {.axis = "width of the differences", .sizes = falling(0.8, 6, std::numbers::sqrt2), .title = {}, .floor = 1e-10},
-      {{"serre", "Mass and momentum of Serre's equations balance at fixed places.", fourth},
+      {{"serre", "The mass and momentum balances of Serre's equations hold at fixed positions.", fourth},
        {"frame", "The speed agrees at fourth order with the frame without mean velocity along the surface.", fourth},
        {"derivatives",
         "Excess, elevation and slope are derivatives of each other: the difference falls at fourth order.", fourth}},

@@ -81,7 +81,7 @@ TEST_CASE("velocities of water over a slope are those of a potential with poles 
     const double coarse = error_of_velocity(140, cotangent);
     const double fine = error_of_velocity(280, cotangent);
     check.holds(
-        fmt::format("velocity-{:g}", cotangent) + ": The velocities at the surface are those of the potential.", {fine},
+        fmt::format("velocity-{:g}", cotangent) + ": The surface velocities agree with the potential.", {fine},
         Bound{1e-6, "two nodes to the distance of the poles, whose sixth order multiplies what the nodes miss"});
     check.holds(fmt::format("faster-{:g}", cotangent) +
                     ": Twice the nodes leave far less than any power of the spacing that other methods have.",

@@ -74,7 +74,7 @@ TEST_CASE("the series for the solitary wave have the speeds and identities known
   Worst inverse;
   for (double x = -15; x < 15; x += 0.7) inverse.add(wave.place_of(wave.depth() * x + wave.excess_up_to(x)) - x);
   check.from(serre_source)
-      .that("particles", "The place of an amount of water is the inverse of the amount up to a place.",
+      .that("particles", "The position of a given volume is the inverse of the volume up to a position.",
             "error of the place [m]", {inverse.value()}, Roundoff{15, 17, "15 roundings of lengths up to 17 m"});
   self_test_holds(check, "boussinesq", AsymptoticSolitary(Theory::boussinesq, 0.3, 2, 9.81));
   self_test_holds(check, "serre", wave);

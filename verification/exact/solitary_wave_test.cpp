@@ -99,10 +99,10 @@ TEST_CASE("solitary waves have every digit of the reference table", "[exact]") {
   }
   const Bound identity{.limit = 5e-14, .reason = "500 terms of values known to 1e-15, amplified by 1/amplitude"};
   check.from("Longuet-Higgins, Proc. R. Soc. A 337 (1974) 1")
-      .that("kinetic-identity", "2 T = F (I - C) holds at every amplitude.", "largest relative defect",
+      .that("kinetic-identity", "2 T = F (I - C) holds at every amplitude.", "largest relative error",
             {kinetic.value()}, identity);
   check.from("Longuet-Higgins, Proc. R. Soc. A 337 (1974) 1")
-      .that("potential-identity", "3 V = (F^2 - 1) M holds at every amplitude.", "largest relative defect",
+      .that("potential-identity", "3 V = (F^2 - 1) M holds at every amplitude.", "largest relative error",
             {potential.value()}, identity);
   check.that("speed-resolution", "The speed is the same at two resolutions within 5e-15.",
              "largest relative difference of the speed", {speed.value()}, Bound{5e-15, "about 20 roundings of F^2"});

@@ -31,7 +31,7 @@ TEST_CASE("a solitary wave falls apart into whole numbers of waves at the depths
   }
   const SolitonFission flat(1);
   check.from("identity")
-      .that("flat", "On a flat bottom the wave keeps its height.", "a_1/a_0", {flat.amplitude(1)},
+      .that("flat", "The wave height on a flat bed is constant.", "a_1/a_0", {flat.amplitude(1)},
             Roundoff{10, 2.0, "a root and a square", 1.0});
   CHECK(flat.solitons() == 1);
   CHECK(flat.reflection() == 0);
@@ -39,7 +39,7 @@ TEST_CASE("a solitary wave falls apart into whole numbers of waves at the depths
   const SolitonFission step(0.5);
   CHECK(step.solitons() == 3);
   check.from("Landau & Lifshitz, Quantum mechanics, section 23")
-      .that("sum-of-levels", "At a step onto half the depth each wave's rate of decay is one less than that before.",
+      .that("sum-of-levels", "The decay rates of successive waves at a step onto half the depth differ by one.",
             "sqrt(a_1/a_0)/h - sqrt(a_2/a_0)/h", {(std::sqrt(step.amplitude(1)) - std::sqrt(step.amplitude(2))) / 0.5},
             Roundoff{10, 4.0, "roots of squares", 1.0});
 }

@@ -55,10 +55,10 @@ TEST_CASE("steady flow over a bump keeps its head and its momentum", "[exact]") 
 }
 
 TEST_CASE("the MacDonald channel carries its depth", "[exact]") {
-  Check check("exact_macdonald", "MacDonald channel with friction",
-              "The steady momentum equation, by "
-              "fourth-order differences of the bed that the quadrature made.",
-              source);
+  Check check(
+      "exact_macdonald", "MacDonald channel with friction",
+      "Residual of the steady momentum equation, from fourth-order differences of the bed computed by quadrature.",
+      source);
   const auto channel = MacDonald::smooth_rise(g);
   Worst residual;
   for (double x = 20; x <= 980; x += 7.3) {

@@ -103,7 +103,7 @@ TEST_CASE("Stokes waves have every digit of the reference table", "[exact]") {
   check.that("depth", "Mean and conformal depth lead to each other to 14 decimals.", "largest difference of k depth",
              {depth.value()}, Bound{1e-14, "14 printed decimals and 20 roundings"});
   check.from("Longuet-Higgins, Proc. R. Soc. A 342 (1975) 157")
-      .that("identities", "2 T = c I, the volume flux and the zero mean velocity hold.", "largest relative defect",
+      .that("identities", "2 T = c I, the volume flux and the zero mean velocity hold.", "largest relative error",
             {identity.value()}, Bound{2e-14, "sums of 100 to 500 values known to 1e-15"});
   check.that("speed-resolution", "The speed is the same at two resolutions within 5e-15.",
              "largest relative difference of the speed", {speed.value()}, Bound{5e-15, "about 20 roundings of c^2"});

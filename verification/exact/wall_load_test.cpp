@@ -55,8 +55,7 @@ void claim_series(Check& check) {
   const WallLoad twice(0.1, 1, 192);
   const auto order = [](double half, double whole) { return std::log2(std::abs(whole / half)); };
   const auto third = [&](const std::string& name, double half, double whole) {
-    check.holds(fmt::format("The series of second order for the {} is its limit for small waves.", name),
-                {order(half, whole)},
+    check.holds(fmt::format("The {} converges to its second-order series for small waves.", name), {order(half, whole)},
                 Bound{0.3, "the next term, with a coefficient up to four times that of the third: 4 x 0.05/ln 2", 3});
   };
   // Over the depth 1 and its square.
@@ -66,8 +65,7 @@ void claim_series(Check& check) {
         twice.largest_bottom().value - bottom(0.1));
   third("force", small.largest_force().value - force(0.05), twice.largest_force().value - force(0.1));
   check.that(
-      "series-still",
-      "The series of third order for the pressure at the still-water level is its limit for small waves.",
+      "series-still", "The pressure at the still-water level converges to its third-order series for small waves.",
       "largest pressure of a wave of 0.05 depths [rho g depth]", {small.largest_still().value},
       Bound{5.25 * std::pow(0.05, 4), "a fourth-order term with a coefficient no larger than that of third order, 21/4",
             WallLoad::still_series(0.05)});

@@ -72,7 +72,7 @@ TEST_CASE("solitary waves run up a vertical wall as high as the reference says",
                    "what a tolerance of 1e-9 leaves"});
   const WallRunup small(0.05, 1, 192);
   check.that(
-      "series", "The series of third order is the limit for small waves.",
+      "series", "The run-up converges to its third-order series for small waves.",
       "run-up of a wave of 0.05 depths less the series [depth]", {small.runup()},
       Bound{3 * std::pow(0.05, 4), "a fourth-order term with a coefficient no larger than that of the series times 4",
             WallRunup::su_mirie(0.05)});

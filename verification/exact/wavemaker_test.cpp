@@ -83,7 +83,7 @@ TEST_CASE("piston and flap make the waves of linear theory", "[exact]") {
     }
   }
   check.that("displaced", "The water up to x/h = 10 is what the paddle displaced less what has passed, within 1e-8.",
-             "largest defect of the volume over stroke and depth", {displaced.value()},
+             "largest error of the volume over stroke and depth", {displaced.value()},
              Bound{1e-8,
                    "within 1e-9 d of the paddle the surface is left out; ten depths away the near field has fallen to "
                    "exp(-25)"});

@@ -119,7 +119,7 @@ TEST_CASE("a wavemaker starts from rest as linear theory says", "[exact]") {
            (gauge - 0.5 * t * std::sqrt(g / largest));
   };
   const std::string reason = "asymptotic size of the integral beyond the cut";
-  check.that("cut", "What the rule cut at kd = 40 lacks is the part beyond the cut.",
+  check.that("cut", "The deficit of the quadrature cut at kd = 40 equals the part beyond the cut.",
              "largest difference from the trapezoidal rule, 200 000 points to k = 10/m [m]", {cut.value()},
              Bound{left_out(10, 3 * period), reason});
   check.that(

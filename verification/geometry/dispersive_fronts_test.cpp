@@ -51,7 +51,7 @@ TEST_CASE("fronts break when they are steep and go on while they are bores", "[g
   };
   counts("A front of slope 1:2 does not begin.", after({0.5, 1.04}), 0);
   counts("A front of slope 1:1.7 breaks, over all its cells.", after({0.5, 0.84}), 10);
-  counts("Become gentle, it goes on, where it has come to.", after({0.5, 1.04, 0.3}), 12);
+  counts("The breaking of a front that has become gentle continues at its new position.", after({0.5, 1.04, 0.3}), 12);
   counts("A gentle front elsewhere does not take over.", after({0.5, 1.04, 2.5}), 0);
   counts("A steep front of Froude number 1.29 is no bore.", after({0.39, 0.44}), 0);
   counts("A steep front of Froude number 1.31 is classified as a breaking bore.", after({0.42, 0.44}), 6);
@@ -69,13 +69,13 @@ TEST_CASE("fronts break when they are steep and go on while they are bores", "[g
   }
   BreakingFronts ring(settings, markers);
   ring.find(front.surface(8.1));
-  counts("In a periodic channel a front goes on beyond the end.", breaking_cells(ring), 10);
+  counts("The breaking of a front continues beyond the end of a periodic channel.", breaking_cells(ring), 10);
 
   const auto is = [&](const std::string& text, double value, double expected) {
     check.holds(text, {value}, Roundoff{8, 2, "a few roundings", expected});
   };
   is("A bore that doubles the depth has Froude number sqrt(3).", bore_froude(1, 1), std::sqrt(3.0));
-  is("Behind it the square of the Froude number is 3/8.", bore_damping(1, 1), std::sqrt(1 - 3.0 / 8));
+  is("The squared Froude number behind the front is 3/8.", bore_damping(1, 1), std::sqrt(1 - 3.0 / 8));
   is("A bore without height needs no viscosity.", bore_damping(1, 0), 0);
   CHECK(std::isinf(bore_froude(0, 1)));
   CHECK(bore_damping(0, 1) == 1);

@@ -50,16 +50,16 @@ TEST_CASE("the outline of particles encloses their water", "[geometry]") {
            two = two && lines.size() == 2 && area(lines[0]) > 0 && area(lines[1]) < 0;
            return std::abs(area(lines[0]) - std::numbers::pi);
          });
-  check.that("lines", "There are two lines, each the right way round.", "so at all spacings",
+  check.that("lines", "The contour consists of two lines, each correctly oriented.", "so at all spacings",
              {.value = two ? 1.0 : 0.0, .resolution = "10 to 80 rings"},
              Qualitative{"two lines, areas of opposite sign", "a ring has an outer and an inner edge"});
-  check.holds("A marker far from the water changes no line.", {marked ? 1.0 : 0.0},
+  check.holds("The contour is unchanged by a marker far from the water.", {marked ? 1.0 : 0.0},
               Qualitative{"equal bits at all spacings", "markers have no mass"});
 }
 
 TEST_CASE("a disc of particles has the mass and the moments of inertia of a disc", "[geometry]") {
   Check check("gauss_particles_disc", "Gauss-principle particles: a disc",
-              "Rings of particles on a disc of radius 2 and density 3: mass and second moments are those of the disc.");
+              "Rings of particles on a disc of radius 2 and density 3: mass and second moments equal the disc's.");
   const Particles particles = disc(2, 20, 16, 3);
   double mass = 0, along = 0, up = 0, mixed = 0;
   for (std::size_t k = 0; k < particles.size(); ++k) {

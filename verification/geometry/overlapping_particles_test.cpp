@@ -178,7 +178,7 @@ TEST_CASE("the cell grid finds the neighbours that all pairs give", "[geometry]"
     };
     counted("missing", "The neighbour lists miss no pair of particles.", missing);
     counted("beyond", "New lists hold nobody far away.", beyond);
-    check.holds(id + "kept: Lists are made anew now and then, not every time.",
+    check.holds(id + "kept: Neighbour lists are rebuilt in some steps, not in every step.",
                 {made >= 2 && 2 * made <= rounds ? 1.0 : 0.0},
                 Qualitative{"lists made in twenty rounds",
                             "random steps of a tenth of the spacing, of which some use up a tenth of the reach"});

@@ -125,7 +125,7 @@ TEST_CASE("over a spline bottom still water stays still and energy is conserved"
     flow.advance(0.1);
     defect.add(flow.energy() / energy - 1);
   }
-  check.that("energy", "The conservative scheme keeps the energy of a wave.", "largest relative defect",
+  check.that("energy", "The energy of a wave is conserved by the conservative scheme.", "largest relative error",
              {.value = defect.value(), .resolution = "20 x 20 cells, 50 steps"},
              Roundoff{50.0 * 400, 1, "one rounded work per cell and step"});
 }
@@ -168,13 +168,13 @@ TEST_CASE("the integral of a bottom grows over a way by what the way says, howev
     const auto at = bottom.integral(x, y);
     near.add((bottom.increment(x, y, 1e-6 * dx, 1e-6 * dy) - 1e-6 * (at.elevation * dx + at.along_y * dy)) / 5e-10);
   });
-  check.that("far", "Over a long way the integral grows by the difference of its values.", "largest difference",
-             {far.value()},
+  check.that("far", "The increment of the integral over a long distance equals the difference of its values.",
+             "largest difference", {far.value()},
              Roundoff{48 * 12, 12, "up to 48 pieces of the way, each a sum of some 12 terms; values up to 12"});
-  check.that("halves", "Over a short way it grows by what it grows over both halves.",
+  check.that("halves", "The increment of the integral over a short distance equals the sum over both halves.",
              "largest difference over the length of the way", {halves.value()},
              Roundoff{16, 12, "gradients of up to 12, at places rounded to a unit in the last place of 11"});
-  check.that("near", "Over a way of half a thousand-millionth it grows by gradient times way.",
+  check.that("near", "The increment of the integral over a distance of 5e-10 equals gradient times distance.",
              "largest difference over the length of the way", {near.value()},
              Bound{1e-9,
                    "half the way times second derivatives below 4; a difference of two values would have their "

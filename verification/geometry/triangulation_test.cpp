@@ -112,10 +112,11 @@ TEST_CASE("flips give the triangles of a full rebuild over random motions", "[ge
       different += difference(triangles_of(moving.mesh()), triangles_of_sweep(box.nodes()));
       doubtful += edges_not_delaunay(moving.mesh(), box.nodes());
     }
-    check.holds(id + "-built: The mesh at the beginning is that of the rebuild.", {first},
+    check.holds(id + "-built: The initial mesh equals the rebuilt one.", {first},
                 Bound{0, "the Delaunay triangulation is unique"});
     check.holds(
-        id + ": After every motion the flips have led to the triangles of a rebuild.", {static_cast<double>(different)},
+        id + ": The triangles after flips equal the triangles of a rebuild after every motion.",
+        {static_cast<double>(different)},
         Bound{0, "the Delaunay triangulation is unique but for nodes on one circle, which random ones are not"});
     check.holds(id + "-edges: No edge is left that should be flipped.", {static_cast<double>(doubtful)},
                 Bound{0, "Lawson (1977)"});

@@ -113,7 +113,8 @@ TEST_CASE("a wave overturns when its front is past the vertical", "[geometry]") 
              "largest error of its x over dx", {tip_error.value()}, Bound{0.75, "one such extremum, 0.71 dx"});
   check.that("side", "The direction in which it breaks is found.", "directions right", {sides ? 1.0 : 0.0},
              Qualitative{"overhang().towards_right", "the tip turns to the right, the hollow to the left"});
-  check.that("no-alarm", "No wave that is single-valued is said to overturn.", "false alarms", {false_alarm.value()},
+  check.that("no-alarm", "The number of single-valued waves reported as overturning is zero.", "false alarms",
+             {false_alarm.value()},
              Qualitative{"overturns(curves, dx) at q <= 1", "noise of the contour is below dx", false});
   check.that("missed", "Every wave that overhangs by two and a half spacings is found.",
              "largest overhang that was not, over dx", {missed.value()},

@@ -83,7 +83,9 @@ TEST_CASE("the published flume cannot be decoded from its number of particles", 
                                                   {.paddle_rows = paddle_rows, .corner_twice = false})));
     }
   }
-  check.that("formula", "Flumes of both lattices, with paddles of two rows and three, have the number of the formula.",
+  check.that("formula",
+             "The particle number of flumes of both arrangements, with paddles of two and three rows, agrees with the "
+             "formula.",
              "largest difference", {formula.value()}, Bound{0, "a count"});
   Count even;
   for (long steps = 1; steps <= highest_wall * layers; ++steps) {
@@ -93,7 +95,8 @@ TEST_CASE("the published flume cannot be decoded from its number of particles", 
   check.that("odd", "A straight wall of two rows has an odd number of particles.", "walls with an even one",
              {even.value()}, Bound{0, "n + 1 and n"});
   const Walls as_dam_breaks{};
-  check.that("impossible", "By the rules of the dam breaks no flume has the published number.",
+  check.that("impossible",
+             "The number of flumes with the published particle number by the rules of the dam breaks is zero.",
              "flumes with it, of both lattices",
              {static_cast<double>(solutions(Lattice::square, as_dam_breaks) +
                                   solutions(Lattice::body_centred, as_dam_breaks))},
@@ -102,8 +105,8 @@ TEST_CASE("the published flume cannot be decoded from its number of particles", 
   for (const Walls& walls : std::vector<Walls>{{.paddle_rows = 3}, {.corner_twice = false}}) {
     otherwise.add(static_cast<double>(solutions(Lattice::body_centred, walls)));
   }
-  check.that("ambiguous", "By other rules it does not tell the flume.", "more than one flume has the number",
-             {otherwise.value() > 1 ? 1.0 : 0.0},
+  check.that("ambiguous", "The published particle number by other rules does not determine the flume.",
+             "more than one flume has the number", {otherwise.value() > 1 ? 1.0 : 0.0},
              Qualitative{"body-centred flumes with 35232 particles, with a paddle of three rows, and with the corner "
                          "counted once: more than one of each",
                          "three lengths and one number"});

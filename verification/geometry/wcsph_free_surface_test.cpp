@@ -157,7 +157,7 @@ TEST_CASE("contours of discs and rings are where they should be", "[geometry]") 
       check,
       {"dx/R", {0.14, 0.1, 0.07, 0.05, 0.035, 0.025}, "disc", "A disc's contour: errors over 64 places on the lattice"},
       {{"disc-area",
-        "The disc's area, mean over its places on the lattice, has second order.",
+        "The area of a disc, averaged over its positions on the grid, converges at second order.",
         {2, 0.3,
          "leading term, curvature moves the level 1/2 by a part of h^2/R; a mean of 64 places leaves a part of the "
          "scatter"}},
@@ -171,7 +171,7 @@ TEST_CASE("contours of discs and rings are where they should be", "[geometry]") 
         farthest.add(errors.radius.value() / spacing);
         return std::array{std::abs(errors.area_mean), errors.centre};
       });
-  check.from(fractions).that("disc-radius", "No point of a disc's contour is farther off than half a cell's diagonal.",
+  check.from(fractions).that("disc-radius", "The contour error of a disc is at most half a cell diagonal.",
                              "largest distance over dx", {farthest.value()},
                              Bound{0.75, "whether a cell belongs to the disc is decided by its middle: 0.71 dx"});
 

@@ -41,12 +41,12 @@ TEST_CASE("layers follow their surface and patches their circle", "[geometry]") 
       "A cosine of half the depth on columns that keep the spacing and on stretched ones: the mass is exact. A disc of "
       "1 m: the count, the second moment that the lattice gives it, velocities and pressures at the particles.",
       lattices);
-  check.that("columns", "Columns that keep the spacing hold the area below the surface.", "relative defect of the mass",
-             {mass_defect(Fitting::columns)},
+  check.that("columns", "The area below the surface is represented by columns of equal spacing.",
+             "relative error of the mass", {mass_defect(Fitting::columns)},
              Roundoff{20, 1,
                       "the mean of three depths; the sum is compensated, and the elevation's means over all strips "
                       "cancel by symmetry"});
-  check.that("stretched", "Columns that stretch hold the area below the surface.", "relative defect of the mass",
+  check.that("stretched", "Columns that stretch hold the area below the surface.", "relative error of the mass",
              {mass_defect(Fitting::stretched)}, Roundoff{20, 1, "the same"});
   const Scene overturning = wavy_layer(Fitting::columns);
   Smallest lightest;
@@ -57,8 +57,8 @@ TEST_CASE("layers follow their surface and patches their circle", "[geometry]") 
     heaviest.add(overturning.particles.mass[i] / 0.1);
   }
   check.from("interface of the scene")
-      .that("masses", "Columns that keep the spacing stretch it little: masses are nearly equal.",
-            "heaviest over lightest", {heaviest.value() / lightest.value()},
+      .that("masses", "The particle masses of columns of equal spacing are nearly equal.", "heaviest over lightest",
+            {heaviest.value() / lightest.value()},
             Bound{0.2, "in the lowest column of 5.0 dx half a spacing is a tenth up or down", 1});
 
   const Scene disc = patch({.radius = 1,

@@ -35,7 +35,7 @@ TEST_CASE("paddles move rigidly with the velocity that they state", "[geometry]"
   for (const auto& [name, paddle] : paddles) {
     refine(check, {.axis = "step", .sizes = falling(period / 40, 5), .title = {}},
            {{name + "-velocity",
-             "The velocity is the rate of the place: central differences approach it with their order.",
+             "The velocity equals the rate of change of position: central differences converge at their order.",
              name == "piston" ? Order{2, 0.003,
                                       "central differences of a sine: next term (omega dt)^2/20 relative, 0.0012 at "
                                       "the longest step, 1/40 of a period, 0.002 per halving"}
@@ -75,7 +75,7 @@ TEST_CASE("paddles move rigidly with the velocity that they state", "[geometry]"
   }
   check.that("rigid", "The flap turns without stretching its rows.", "relative change of distances", {stretch.value()},
              Roundoff{60, 1, "differences of places up to 0.03 m over 0.012 m"});
-  check.that("still-water-level", "Where the face crosses the still-water level it is at X_w = (S/2) sin(omega t).",
+  check.that("still-water-level", "The paddle position at the still-water level is X_w = (S/2) sin(omega t).",
              "distance over the depth", {off.value()},
              Roundoff{30, 1.6, "atan, sin, cos and a product; up to 1.54 depths from the hinge"});
   const PointMotion start = at(leaning, 0, -0.0005, 0.0005);

@@ -69,14 +69,14 @@ TEST_CASE("Fourier coefficients are their sums, in the order of their wavenumber
                                      "a sum of N products of rounded angles up to 2 pi N"});
     };
     claim("sums", "Coefficients of the fast transform equal their defining sums.", sums.value(), 3);
-    claim("back", "Samples come back, in the same memory.", back.value(), 3);
+    claim("back", "The samples are recovered by the inverse transform, in the same memory.", back.value(), 3);
     claim("slope", "Wavenumbers of the transform agree with the derivative.", slopes.value(), scale * scale);
   }
   Fourier even(8);
   Count sawtooths;
   for (std::size_t i = 0; i < 8; ++i)
     sawtooths.add(static_cast<double>(i), [&](double k) { return even.is_sawtooth(static_cast<std::size_t>(k)); });
-  check.holds("Of eight coefficients one is a sawtooth, and its wavenumber is four.",
+  check.holds("The highest of eight coefficients is a sawtooth, of wavenumber four.",
               {even.is_sawtooth(4) ? sawtooths.value() * even.wavenumber(4) : 0},
               evidence::Bound{0, "small whole numbers", 4});
 }

@@ -67,7 +67,7 @@ TEST_CASE("GMRES solves systems of the second kind and stops when it has", "[lin
                               "the recurrence's residual is at most the goal; it rounds to 1e-16 of a residual that is "
                               "1e-6 of the beginning, and no more than 1e-9"});
   check.holds(
-      "No vector of the Krylov space has a smaller residual.", {excess.value()},
+      "The residual is the smallest over the Krylov space.", {excess.value()},
       evidence::Roundoff{2 * n * n, 3 * 10,
                          "residuals of a right-hand side of norm 3, by two orthogonalisations of vectors of 40"});
   check.holds("An iteration less would not have met the goal.", {needless.value()},

@@ -107,7 +107,7 @@ TEST_CASE("matrices of lattices are the dense matrices that they stand for", "[l
                             : std::vector<Shape>{{1, 1, 1}, {3, 1, 4}, {1, 4, 3}, {2, 2, 2}, {6, 5, 1}, {5, 4, 6}};
     for (const Shape& shape : shapes) errors.add(shape, random_matrix(shape, 1));
     const auto claim = [&](const std::string& what, double value, double operations, const std::string& reason) {
-      check.holds(fmt::format("{} of {}-point matrices equal those of the dense matrices.", what, neighbours), {value},
+      check.holds(fmt::format("{} of {}-point matrices equal the dense results.", what, neighbours), {value},
                   Roundoff{operations, 1, reason});
     };
     const double operations = 2 * static_cast<double>(neighbours);

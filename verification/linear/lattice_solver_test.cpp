@@ -185,13 +185,13 @@ TEST_CASE("iterations depend on the deformation, not on the size", "[linear]") {
     const auto [least, most] = std::minmax({found[0][k], found[1][k], found[2][k]});
     if (amplitudes[k] <= 0.1) spread.add(most - least);
   }
-  check.holds("On the undeformed mesh each iteration gains single precision.",
+  check.holds("The residual on the undeformed mesh falls by single precision per iteration.",
               {largest(std::array{found[0][0], found[1][0], found[2][0]})},
               Bound{3, "1e-10 is two factors of 1e-5, and one iteration for what the factors vary"});
-  check.holds("At an amplitude of 0.05 depths, 1e-10 takes at most 14 iterations.",
+  check.holds("The number of iterations to 1e-10 at a/h = 0.05 is at most 14.",
               {largest(std::array{found[0][chosen], found[1][chosen], found[2][chosen]})},
               Bound{14, "the budget of a time step of a million cells"});
-  check.holds("At an amplitude of 0.05 depths, 1e-13 takes at most 20 iterations.",
+  check.holds("The number of iterations to 1e-13 at a/h = 0.05 is at most 20.",
               {static_cast<double>(Problem(1024, 256, 0.05).iterations(1e-13))},
               Bound{20, "the budget of a time step of a million cells"});
   check.holds("The number of iterations does not depend on the size, up to an amplitude of 0.1 depths.",

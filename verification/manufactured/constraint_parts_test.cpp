@@ -128,7 +128,7 @@ TEST_CASE("nodes at a slanted wall keep the velocity along it", "[mechanics]") {
   const auto claim = [&](const std::string& text, double value) {
     check.holds(text, {value}, Roundoff{20, 1, "a normal from rounded places, a product with it, and its part"});
   };
-  claim("Along the wall the part along it is left.", slid.value());
+  claim("The component along the wall is unchanged.", slid.value());
   claim("Velocities of nodes inside the water are not changed by sliding walls.", free.value());
 }
 

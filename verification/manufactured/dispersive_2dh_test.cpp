@@ -20,9 +20,9 @@ void check_orders(Check& check, Stepping stepping, Refinement refinement, const 
   const std::string scheme = stepping == Stepping::one_step ? "one-step" : "conservative";
   refinement.id = scheme;
   refine(check, refinement,
-         {{scheme + "-position", scheme + ": places are of second order.", order},
-          {scheme + "-elevation", scheme + ": elevations are of second order.", order},
-          {scheme + "-velocity", scheme + ": horizontal velocities are of second order.", order}},
+         {{scheme + "-position", scheme + ": node positions converge at second order.", order},
+          {scheme + "-elevation", scheme + ": elevations converge at second order.", order},
+          {scheme + "-velocity", scheme + ": horizontal velocities converge at second order.", order}},
          [&](double size) {
            const auto found = errors_at(size);
            return std::array{found.position, found.elevation, found.velocity};

@@ -105,10 +105,10 @@ TEST_CASE("compositions of the dispersive model's steps are of fourth order", "[
            });
     if (method.id != "conservative-suzuki") continue;
     check.at("tau = 0.8 .. 0.1");
-    check.that("energy", "Suzuki's composition of the conservative scheme keeps the energy.", "largest relative defect",
-               {energy.value()}, Roundoff{solves.value(), 1, "one rounded energy per solve"});
+    check.that("energy", "The energy is conserved by Suzuki's composition of the conservative scheme.",
+               "largest relative error", {energy.value()}, Roundoff{solves.value(), 1, "one rounded energy per solve"});
     check.that("volume", "Suzuki's composition of the conservative scheme conserves every cell's volume.",
-               "largest relative defect", {volume.value() / (length / cells)},
+               "largest relative error", {volume.value() / (length / cells)},
                Roundoff{solves.value(), cells,
                         "one rounded coordinate, up to the channel's length, per solve and width of a cell"});
   }

@@ -66,7 +66,7 @@ TEST_CASE("friction at the bottom slows a uniform current as its law says", "[ma
       check, {"step", {0.1, 0.05, 0.025, 0.0125}},
       {{"manning-normal", "Manning and the slope: after 2 s the flow starts towards the normal one.", second},
        {"quadratic-normal", "A quadratic law and the slope: after 2 s the flow starts towards the normal one.", second},
-       {"settled", "What the flow settles at after 40 s is the normal flow of Manning's law.", second}},
+       {"settled", "The flow after 40 s agrees with the normal flow of Manning's law.", second}},
       [&](double tau) {
         const auto start = [&](const Law& law) {
           return std::abs(velocity_at(uniform_flow(law.friction, 0, gravity * slope), 2, tau) -
@@ -94,12 +94,12 @@ TEST_CASE("what friction takes is booked to round-off", "[manufactured]") {
     flow.advance(0.05);
     flow.observe();
   }
-  check.that("energy", "Energy and what friction took of it stay.", "largest defect over the energy",
-             {flow.ledger().largest_defect("energy") / energy},
+  check.that("energy", "The sum of energy and frictional dissipation is conserved to round-off.",
+             "largest error over the energy", {flow.ledger().largest_defect("energy") / energy},
              Roundoff{200 * 120, 2, "a rounded term per marker and step; kinetic and potential energy are halves"});
   check.from("momentum balance")
       .that("momentum", "Momentum plus the booked impulse of friction is conserved to round-off.",
-            "largest defect over the momentum", {flow.ledger().largest_defect("momentum") / momentum},
+            "largest error over the momentum", {flow.ledger().largest_defect("momentum") / momentum},
             Roundoff{200 * 120, 2, "a rounded term per marker and step"});
   check.from("Manning's law")
       .that("taken", "Friction takes what its law takes of the wave at the start, in the order of magnitude.",

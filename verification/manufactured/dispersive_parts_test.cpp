@@ -113,7 +113,7 @@ TEST_CASE("pressure on the surface acts as its integral with linear weights", "[
     Worst worst;
     for (std::size_t i = 0; i < 2 * n; ++i) worst.add(with[i] - without[i] - expected[i]);
     check.holds(
-        std::string(periodic ? "periodic" : "open") + ": Forces on the markers are the integrals of the pressure.",
+        std::string(periodic ? "periodic" : "open") + ": The forces on the nodes equal the integrals of the pressure.",
         {worst.value()},
         Roundoff{
             30, 1,

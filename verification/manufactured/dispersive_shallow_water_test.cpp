@@ -129,7 +129,8 @@ TEST_CASE("all unknowns of dispersive shallow water converge with second order o
     std::vector<Refined> claims =
         all_unknowns(water.id, water.text, {2, 0.05, "smooth solution, five resolutions deep in the asymptotic range"});
     const bool friction = water.friction.coefficient > 0;
-    if (friction) claims = {{water.id, water.text + ": p is of second order.", {2, 0.1, "a symmetric splitting"}}};
+    if (friction)
+      claims = {{water.id, water.text + ": p converges at second order.", {2, 0.1, "a symmetric splitting"}}};
     const std::vector<int> cells = friction          ? std::vector{25, 50, 100, 200}
                                    : water.gamma > 0 ? std::vector{50, 100, 200, 400}
                                                      : std::vector{25, 50, 100, 200, 400};

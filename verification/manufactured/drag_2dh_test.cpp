@@ -86,7 +86,7 @@ TEST_CASE("friction at the bottom takes the energy of Manning's law", "[manufact
            volumes = flow.ledger().largest_defect("volume_worst");
            return std::abs(before - flow.energy() - work) / before;
          });
-  check.that("volumes", "The volume of every cell stays.", "largest defect", {volumes},
+  check.that("volumes", "The volume of every cell is conserved to round-off.", "largest defect", {volumes},
              Roundoff{320, 6, "a rounded place, up to 6, per step"});
 }
 
@@ -282,13 +282,13 @@ TEST_CASE("steep water that runs together exchanges momentum and other water doe
              {(after[inner] - before[inner]) * masses[inner] / (h * -1.0 * force)},
              Bound{1e-4, "implicit: off by twice h times the rate of some 10, and rounding over 1e-6", 1});
   const auto [wild, tamed] = change(drag, 5, 1.2, together, 10);
-  check.that("momentum", "Momentum is kept, over any time.", "change of its two components together",
+  check.that("momentum", "Momentum is conserved to round-off over any time.", "change of its two components together",
              {momentum(tamed, 0) - momentum(wild, 0) + momentum(tamed, 1) - momentum(wild, 1)},
              Roundoff{4 * static_cast<double>(n), 1, "one pair in each row"});
   // The step's last velocities are twice the mean less the first.
   std::vector<double> last = tamed;
   for (std::size_t k = 0; k < last.size(); ++k) last[k] = 2 * tamed[k] - wild[k];
-  check.that("no-return", "Over a long time the two come to one velocity and not to each other's.",
+  check.that("no-return", "Both velocities converge to a common value over a long time.",
              "difference of the last velocities over that of the first",
              {(last[inner + 1] - last[inner]) / (wild[inner + 1] - wild[inner])},
              Bound{0.05, "1/(1 + 2 x), x some tens, is positive and small", 0.05});

@@ -67,8 +67,8 @@ TEST_CASE("fluxes through a face are those of the schemes in closed form", "[man
   dam.advance(tau);
   check.that("dry-mass", "The discharge onto a dry bed in the first instant is 2/3 c h.",
              "discharge onto the dry bed [m^2/s]", {-dam.ledger().mass_right / tau}, expected(2 * c * h / 3));
-  check.that("dry-momentum", "With it passes a third of g h^2.", "momentum flux onto the dry bed [m^3/s^2]",
-             {-dam.ledger().impulse_right / tau}, expected(g * h * h / 3));
+  check.that("dry-momentum", "The momentum flux through the face is g h^2/3.",
+             "momentum flux onto the dry bed [m^3/s^2]", {-dam.ledger().impulse_right / tau}, expected(g * h * h / 3));
 
   const double flux = shallow_water::jump_mass_flux(g, 0.5, 1.2);
   const State shallow{0.5, flux / 0.5};
@@ -110,7 +110,7 @@ TEST_CASE("friction and bed act as the ledger says", "[manufactured]") {
   constexpr long steps = 400;
   for (long k = 0; k < steps; ++k) river.advance(0.1);
   const double rate = g * n * n / std::pow(h, 4.0 / 3);
-  check.that("friction", "Uniform flow slows down as Manning's law says.", "velocity after 40 s [m/s]",
+  check.that("friction", "The deceleration of uniform flow agrees with Manning's law.", "velocity after 40 s [m/s]",
              {river.velocity()[cells / 2]},
              Roundoff{10.0 * steps, 2, "ten roundings per step of a velocity that starts with 2 m/s",
                       2 / (1 + 2 * rate * 0.1 * steps)});
@@ -121,7 +121,7 @@ TEST_CASE("friction and bed act as the ledger says", "[manufactured]") {
   constexpr long swings = 4000;
   for (long k = 0; k < swings; ++k) water.advance(0.002);
   check.from("finite-volume form: what leaves a cell enters its neighbour or the bed")
-      .that("bed-impulse", "What the impulses of walls and bed do not explain of the momentum is round-off.",
+      .that("bed-impulse", "The momentum change equals the impulses of walls and bed to round-off.",
             "momentum defect after eight seconds [m^3/s]",
             {.value = water.momentum_defect(), .resolution = "40 cells, 4000 steps"},
             Roundoff{3.0 * cells * swings, 0.005,

@@ -91,7 +91,7 @@ TEST_CASE("an unsteady vortical flow with a free surface is met to second order"
            if (h == 0.2) defect = result.work_defect;
            return result.error;
          });
-  check.that("work", "The energy changes by the force's work.", "largest defect of the energy",
+  check.that("work", "The energy changes by the force's work.", "largest error of the energy",
              {.value = defect, .resolution = "h = 0.2, tau = 0.05, 20 steps"},
              Roundoff{20, 3, "one rounding per step of the kinetic energy, at most 3"});
 }

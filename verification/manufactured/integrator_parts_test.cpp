@@ -71,7 +71,7 @@ TEST_CASE("equal steps are no longer than asked for and end at the time", "[mech
   const auto claim = [&](const std::string& text, double value, double expected) {
     check.holds(text, {value}, Roundoff{4, 2, "a rounded time per step", expected});
   };
-  claim("There are as few as fit.", static_cast<double>(lengths.size()), 4);
+  claim("The number of steps is the smallest that fits.", static_cast<double>(lengths.size()), 4);
   claim("The longest is the time over their number.", largest(lengths), 0.375);
   claim("The shortest step equals the time over the number of steps.", smallest(lengths), 0.375);
   claim("The last step ends exactly at the end time.", state.time, 2);
@@ -117,7 +117,7 @@ TEST_CASE("RATTLE keeps positions and velocities on the constraints", "[mechanic
   const auto claim = [&](const std::string& text, double value, const std::string& reason) {
     check.holds(text, {value}, Roundoff{10, 10, reason});
   };
-  claim("Links keep their lengths to round-off, anew in each step.", positions.value(),
+  claim("Link lengths are constant to round-off in each step.", positions.value(),
         "products of coordinates up to 2 and of their differences, ten to a link; nothing accumulates");
   claim("Velocities along the links vanish to round-off.", velocities.value(),
         "products of velocities up to 3 with differences up to 2, ten to a link; nothing accumulates");

@@ -98,14 +98,14 @@ const Order inside{2, 0.15,
                    "second order; coarse meshes' interiors still feel the layer at the surface and the bottom"};
 const Order along{1, 0.15, "a node feels the pressure gradient half a cell inside; the next term is of second order"};
 const std::vector<Refined> quantities = {
-    {"interior", "Over the uneven bottom places in the interior are of second order.", inside},
-    {"velocity", "Over the uneven bottom velocities in the interior are of second order.", inside},
-    {"pressure", "Over the uneven bottom the pressure in the interior is of second order.", inside},
+    {"interior", "The interior node positions over the uneven bed converge at second order.", inside},
+    {"velocity", "The interior velocities over the uneven bed converge at second order.", inside},
+    {"pressure", "The interior pressure over the uneven bed converges at second order.", inside},
     {"shape",
-     "Over the uneven bottom the surface's shape is of second order.",
+     "The surface shape over the uneven bed converges at second order.",
      {2, 0.2, "second order: what is of first order is along the surface"}},
-    {"slip", "Over the uneven bottom surface nodes slip along the surface to first order.", along},
-    {"bottom", "Over the uneven bottom nodes slide along the bottom to first order.", along},
+    {"slip", "The slip of surface nodes over the uneven bed converges at first order.", along},
+    {"bottom", "The slip of bed nodes along the uneven bed converges at first order.", along},
 };
 
 TEST_CASE("the manufactured motion over a bottom keeps volumes and follows from its force", "[manufactured]") {
@@ -170,8 +170,8 @@ TEST_CASE("the manufactured motion over a bottom keeps volumes and follows from 
   }
   check.that("volume", "The exact motion conserves volumes: det F = 1.", "largest det F - 1", {volume.value()},
              Roundoff{100, 4, "products of three of some tens of roundings each"});
-  check.that("walls", "The exact motion stays on the walls and the bottom.", "largest distance from them",
-             {walls.value()}, Roundoff{20, 2, "some twenty roundings of places up to 2"});
+  check.that("walls", "The distance of the exact motion from walls and bed is zero to round-off.",
+             "largest distance from them", {walls.value()}, Roundoff{20, 2, "some twenty roundings of places up to 2"});
   const Bound bound{
       .limit = 2e-8,
       .reason =
@@ -210,7 +210,7 @@ TEST_CASE("hexahedra over an uneven bottom are of second order in time alone", "
     const std::string id = stepping == Stepping::one_step ? "one-step" : "conservative";
     const Order second{2, 0.1, "a symmetric scheme; 512 steps err by 1/64 of 64"};
     refine(check, {.axis = "step", .sizes = widths(duration, {8, 16, 32, 64}), .id = id},
-           {{id + "-places", id + ": places are second-order in time.", second},
+           {{id + "-places", id + ": node positions are second-order in time.", second},
             {id + "-velocities", id + ": velocities are second-order in time.", second}},
            [&](double tau) {
              const Flow flow = flow_of(n, stepping, std::lround(duration / tau));

@@ -57,8 +57,9 @@ TEST_CASE("integrators of constrained systems have their orders", "[manufactured
   }
   check.from("Frank, Discrete models of incompressible fluid (1994), chapter 1")
       .that("energy",
-            "The one-step scheme, its conservative variant and their compositions keep the energy to round-off.",
-            "largest energy defect", {.value = energy.value(), .resolution = "50 .. 1600 steps"},
+            "The energy is conserved to round-off by the one-step scheme, its conservative variant and their "
+            "compositions.",
+            "largest energy error", {.value = energy.value(), .resolution = "50 .. 1600 steps"},
             Roundoff{16000, 3, "one rounded energy of order 3 in each of at most 16000 stages"});
 }
 

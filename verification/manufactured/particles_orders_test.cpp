@@ -106,7 +106,7 @@ TEST_CASE("a manufactured Lagrangian motion converges with second order", "[manu
         if (count == 320) {
           check.from("conservation of momentum")
               .that("momentum", "Momentum equals the impulses of walls and source to round-off.",
-                    "momentum defect [m^3/s]", {.value = flow.momentum_defect(), .resolution = "N = 320"},
+                    "momentum error [m^3/s]", {.value = flow.momentum_defect(), .resolution = "N = 320"},
                     Roundoff{6, flow.ledger().left_impulse.value(),
                              "the books of the walls and of the source, their sum, and what is left of three numbers "
                              "are rounded once, as large as the impulse of a wall, for sums are compensated; momenta "
@@ -153,7 +153,7 @@ TEST_CASE("a planar surface in a parabolic bowl keeps its shoreline", "[manufact
             });
         return error.value();
       });
-  check.that("shoreline", "No edge, shorelines included, is off by more than 1e-5 m in 3 periods.",
+  check.that("shoreline", "The error of edge positions, shorelines included, is below 1e-5 m after 3 periods.",
              "largest error of an edge [m]",
              {.value = errors[0].back(), .resolution = "N = 200, equal masses, Courant 0.4"},
              Bound{1e-5, "1/2 6 pi (omega tau)^2/24 with tau = 1.2e-3 s is 5.6e-6 m; twice that is allowed"});

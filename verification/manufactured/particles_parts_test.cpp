@@ -119,7 +119,7 @@ TEST_CASE("water that leaves through a section takes its mass and momentum along
   Worst asymmetry;
   const Order second{2, 0.3, "second order in width and step: the state at a section is that of the middle of a step"};
   refine(check, {.axis = "width", .sizes = widths(6, {40, 80, 160, 320, 640}), .floor = 1e-12},
-         {{"mass", "The mass that has left is of second order.", second},
+         {{"mass", "The error of the outflow mass converges at second order.", second},
           {"momentum", "The momentum that has left is second-order in the particle spacing.", second}},
          [&](double width) {
            const Outflow right = fan_through_section(cells_of(6, width), false);
@@ -129,8 +129,8 @@ TEST_CASE("water that leaves through a section takes its mass and momentum along
            return std::array{std::abs(right.mass - passed(1)), std::abs(right.momentum - passed(2))};
          });
   check.from(source).that(
-      "mirrored", "To the left the same passes as to the right.", "largest difference of mass or momentum",
-      {asymmetry.value()},
+      "mirrored", "The fluxes to the left equal the mirrored fluxes to the right.",
+      "largest difference of mass or momentum", {asymmetry.value()},
       Roundoff{
           100.0 * 6 * 640, passed(2),
           "a hundred rounded operations per step near the section, of numbers up to the momentum that has passed"});
@@ -164,8 +164,9 @@ TEST_CASE("a particle that a jump has left is in the state behind it", "[manufac
           (right ? "right-" : "left-") + text, {value},
           Roundoff{60, std::abs(expected) + 5, "some sixty operations on numbers up to the celerity", expected});
     };
-    claim("By its volume the particle has the depth behind.", mass / width, back.depth);
-    claim("By its momentum it has the velocity behind.", momentum / mass, back.velocity);
+    claim("The depth of the particle from its volume equals the depth behind the bore.", mass / width, back.depth);
+    claim("The velocity of the particle from its momentum equals the velocity behind the bore.", momentum / mass,
+          back.velocity);
   }
 }
 
@@ -198,8 +199,9 @@ TEST_CASE("no jump between two particles is overlooked", "[manufactured]") {
     jumps += jump ? 1 : 0;
     calm += level ? 1 : 0;
   }
-  check.holds("No particle with a jump is passed over.", {missed.value()}, Bound{0, "a necessary condition"});
-  check.holds("No particle in calm water is looked at.", {needless.value()},
+  check.holds("The number of missed particles with a jump is zero.", {missed.value()},
+              Bound{0, "a necessary condition"});
+  check.holds("The number of examined particles in calm water is zero.", {needless.value()},
               Bound{0, "either half of a rise of two per cent comes from the depths or from the velocities"});
   CHECK((jumps > 1000 && calm > 1000));
 }

@@ -157,10 +157,10 @@ TEST_CASE("a step over an uneven bottom carries velocities without a change of e
   const auto claim = [&](const std::string& text, double value) {
     check.holds(text, {value}, Roundoff{60, 3, "some sixty operations on squares that add up to 3"});
   };
-  claim("The velocity normal to the bottom is kept.", normal_part.value());
-  claim("The velocity along the axis of the rotation is kept.", axis_part.value());
+  claim("The velocity normal to the bed is preserved.", normal_part.value());
+  claim("The velocity along the rotation axis is preserved.", axis_part.value());
   claim("The magnitude of the carried velocity is conserved.", length.value());
-  claim("At a slanted wall the energy is kept.", wall_energy.value());
+  claim("The energy at a slanted wall is conserved.", wall_energy.value());
   claim("The velocity component through the wall is zero.", through_wall.value());
 }
 

@@ -275,8 +275,8 @@ TEST_CASE("the potential energies of blocks add up to that of the whole", "[manu
     block.each(0, 1, [&](std::size_t here, std::size_t, bool owned) { own[here] = owned ? 1 : 0; });
     together += part.potential_energy(cut(q, block, 1), own);
   }
-  check.that("sum", "What the blocks count is the energy of the whole, each part of it once.",
-             "difference of the energies", {together - all.potential_energy(q)},
+  check.that("sum", "The sum of the blocks' energies equals the energy of the whole.", "difference of the energies",
+             {together - all.potential_energy(q)},
              Roundoff{48 * 100.0, 1, "some hundred operations in each of 48 cells, whose sum is below one"});
 }
 

@@ -79,13 +79,15 @@ TEST_CASE("on a square lattice operators tend to their lattice sums with second 
       check, {"dx", spacings},
       {{"interpolation-order", "The factor of interpolation tends to sum V W with order 2.", second},
        {"difference-order", "The factor of the difference gradient tends to M with order 2.", second},
-       {"laminar-order", "The factor of the laminar operator tends to its lattice sum with order 2.", second},
+       {"laminar-order", "The factor of the laminar operator converges to its lattice sum at second order.", second},
        {"mls-order", "Moving least squares is of order 2.", second}},
       [&](double dx) {
         const std::size_t n = cells_of(1, dx);
         const Errors e = errors(n, 0, 1.3);
         check.holds(
-            fmt::format("Moving least squares on a lattice is interpolation over its own sum (N = {}).", n),
+            fmt::format("The moving least squares interpolant on a regular arrangement equals the kernel interpolant "
+                        "over its sum (N = {}).",
+                        n),
             {e.moving_least_squares},
             Roundoff{2.0 / 3 * static_cast<double>(n * n) + 100, 1,
                      "the factor is a quotient of two sums over N^2 particles, whose partial sums have a third of the "

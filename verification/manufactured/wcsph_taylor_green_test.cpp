@@ -136,7 +136,8 @@ void judge_trace(Check& check, const Vortices& vortices, const Decay& coarse, co
   constexpr double early = 0.05;
   const auto first = [&](const std::string& id, std::size_t n, const Decay& decay) {
     check.holds(
-        id + "-first: " + fmt::format("At first the rate agrees with the operator on the lattice (N = {}).", n),
+        id + "-first: " +
+            fmt::format("The initial decay rate agrees with the operator on the regular arrangement (N = {}).", n),
         {decay.rate_over(rate, early)},
         Bound{std::pow(k * early / rate, 2),
               "the strain of the lattice by then, k U t, squared: its sign does not matter", rate_on_lattice(n, 1.3)});
@@ -146,7 +147,7 @@ void judge_trace(Check& check, const Vortices& vortices, const Decay& coarse, co
   const auto loss = [&](const Decay& decay, std::size_t n, double smoothing) {
     return rate_on_lattice(n, smoothing) - decay.rate_over(rate);
   };
-  check.from(source).that("strain-spacing", "What is lost later does not depend on the spacing.",
+  check.from(source).that("strain-spacing", "The later energy loss does not depend on the spacing.",
                           "rate of the lattice less that of the run, N = 100 over N = 50",
                           {loss(fine, 100, 1.3) / loss(coarse, 50, 1.3)},
                           Bound{0.25, "an error of first order would halve, to 0.5: half of that way", 1});

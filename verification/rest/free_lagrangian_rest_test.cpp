@@ -30,12 +30,12 @@ Flow still(Check& check, const std::string& what, Flow flow, double level) {
       Roundoff{200 * 20, 0.4,
                "200 kicks of tau times the acceleration g/h = 8, that of the pressure and of gravity, sums of some "
                "twenty terms"};
-  check.holds(what + ": nothing moves.", {speed.value()}, level == 0 ? zero : kicks);
+  check.holds(what + ": displacements and velocities are zero.", {speed.value()}, level == 0 ? zero : kicks);
   if constexpr (std::is_same_v<Flow, dirichlet_mesh::Flow>) {
     const evidence::Criterion taken_out =
         Roundoff{200 * 20, 8,
                  "the rounding of a velocity is taken out within half a step: over tau/2 = 1/40, and half a spacing"};
-    check.holds(what + ": the pressure is that of the level.", {pressure.value()}, level == 0 ? zero : taken_out);
+    check.holds(what + ": the pressure is hydrostatic.", {pressure.value()}, level == 0 ? zero : taken_out);
   }
   return flow;
 }
@@ -57,7 +57,7 @@ TEST_CASE("water at rest in cells and particles stays at rest on any mesh", "[re
     for (const unsigned long seed : {1UL, 2UL, 3UL}) {
       const auto flow = still(check, "Dirichlet cells" + at,
                               dirichlet_mesh::Flow(jittered(flat, 0.2, seed), {}, {.stabilisation = 0}), level);
-      check.holds("No edge is flipped.", {static_cast<double>(flow.flips())},
+      check.holds("The number of flipped edges is zero.", {static_cast<double>(flow.flips())},
                   Bound{0, "nothing moves further than rounding"});
     }
     struct Row {

@@ -63,7 +63,7 @@ TEST_CASE("free particles at rest over a flat bottom stay at rest", "[rest]") {
   refine(
       check, {"spacing in cells", widths(1, {8, 12, 16, 24, 32})},
       {{"uneven-order",
-        "Over an uneven bottom the first acceleration falls with the fourth power of the particles' spacing.",
+        "The initial acceleration over an uneven bed falls at fourth order in the particle spacing.",
         {4, 0.5,
          "end-corrected masses are of fourth order for smooth fields; where rows cross a line of the lattice, at "
          "which second derivatives of the velocities jump, a sum errs by s^3 with a sign that changes along the row: "
@@ -87,7 +87,7 @@ TEST_CASE("free particles at rest over a flat bottom stay at rest", "[rest]") {
                    "an oscillator that is pushed with a steady acceleration a from rest swings to 2 a/omega^2; the "
                    "longest wave, omega^2 = tanh 1, swings farthest"});
   check.that("uneven-energy", "The energy changes by what the penalty takes, to round-off.",
-             "largest defect of the energy after booking",
+             "largest error of the energy after booking",
              {.value = flow.ledger().largest_defect("energy"), .resolution = "20 cells, 12 particles to a side"},
              Roundoff{333, 1e-2,
                       "one rounding per step of potential energies m g (y - y0), which are sums of terms below 1e-2"});

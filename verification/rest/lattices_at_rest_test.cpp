@@ -111,7 +111,7 @@ TEST_CASE("lakes at rest on random lattices stay at rest bit by bit", "[rest]") 
       SchemeStepper stepper(problem.model, {.stepping = stepping});
       State state = problem.start;
       for (int n = 0; n < steps; ++n) stepper.step(state, tau);
-      check.holds(lake + ": nothing moves.", {largest_difference(state, problem.start)},
+      check.holds(lake + ": displacements and velocities are zero.", {largest_difference(state, problem.start)},
                   Bound{0, "every force is exactly zero"});
     }
   };

@@ -60,7 +60,7 @@ inline void holds_of_breakdown(Check& check, const std::string& run, const Break
         "time and steps of the state before the failing step", "the message must lead to the cause");
   holds("The message states the position of the failure.", breakdown.place >= leftmost && breakdown.place <= rightmost,
         "place where the failure is known to begin", "the message must lead to the cause");
-  holds("The state before the failing step is kept.", breakdown.kept,
+  holds("The state before the failing step is preserved.", breakdown.kept,
         "equal coordinates, rates, multipliers, time and number of steps", "a caller may go on with a shorter step");
 }
 

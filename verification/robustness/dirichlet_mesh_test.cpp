@@ -72,7 +72,7 @@ TEST_CASE("regular lattices of Dirichlet cells are singular, staggered and jitte
                       static_cast<double>(expected)});
   };
   const Rank lattice = rank_of(rectangular);
-  claim("The constraint matrix of a rectangular lattice lacks two ranks.", lattice, 223);
+  claim("The rank deficiency of the constraint matrix of a rectangular grid is two.", lattice, 223);
   claim("The constraint matrix of staggered rows has full rank.", rank_of(layer_mesh(layer)),
         static_cast<long>(layer_mesh(layer).nodes()));
   claim("The constraint matrix of a jittered block has full rank.",
@@ -100,7 +100,7 @@ TEST_CASE("regular lattices of Dirichlet cells are singular, staggered and jitte
   refusals.refused({"singular configuration"}, [&] { Flow flow(layer_mesh(large), {}, {.stabilisation = 0}); });
   Flow cured(rectangular, {}, {.stabilisation = 0.1});
   cured.advance(0.05);
-  check.holds("With stabilisation water on that lattice rests.", {worst(cured.state().u)},
+  check.holds("Water on the rectangular grid stays at rest with stabilisation.", {worst(cured.state().u)},
               Bound{0, "every force is exactly zero"});
 }
 

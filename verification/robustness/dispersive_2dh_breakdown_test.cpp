@@ -77,8 +77,8 @@ TEST_CASE("lattices that tangle, touch their bottom or leave it stop with time, 
     Flow spread(rectangular_lattice(over_short), {}, scheme);
     const Breakdown left = run_until_breakdown(spread, 60, 0.05);
     holds_of_breakdown(check, name_of(stepping) + "-spread", left, "outside the bottom", -infinite, infinite);
-    check.holds(name_of(stepping) + "-spread-end: The place is beyond the bottom's end.", {std::abs(left.place)},
-                Bound{0.2, "one step's way beyond the end", 7.1});
+    check.holds(name_of(stepping) + "-spread-end: The reported position is beyond the end of the bed.",
+                {std::abs(left.place)}, Bound{0.2, "one step's way beyond the end", 7.1});
     Rectangle driven{.begin = 0, .end = 10, .south = 0, .north = 5, .columns = 20, .rows = 10};
     driven.sides.west = plan_lattice::DrivenSide{[](Place, double time) {
       return Point{time < 1 ? 0.1 * time : std::numeric_limits<double>::quiet_NaN(), 0};

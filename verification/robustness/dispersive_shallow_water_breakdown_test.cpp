@@ -22,7 +22,7 @@ Breakdown run_until_breakdown(Flow& flow, double tau, double end) {
 void holds_of_breakdown(Check& check, const std::string& run, const Flow& flow, const Breakdown& breakdown,
                         const std::string& word, double leftmost, double rightmost) {
   verification::holds_of_breakdown(check, run, breakdown, word, leftmost, rightmost);
-  check.holds(run + ": There still is a longest stable step.",
+  check.holds(run + ": The longest stable step is still defined.",
               {std::isfinite(flow.stable_step()) && flow.stable_step() > 0 ? 1.0 : 0.0},
               Qualitative{"finite and positive after the failure", "a caller may go on with a shorter step"});
 }
@@ -105,7 +105,7 @@ TEST_CASE("steps beyond the stability limit are counted, and too long ones stop"
       }
     }
     check.holds(std::string("too-long-") + stepping_names[k] +
-                    ": A wave in far too long steps stops, and the state is that of before.",
+                    ": The state after the breakdown of a wave in far too long steps is the state before the step.",
                 {stopped ? 1.0 : 0.0},
                 Qualitative{"seiche::Divergence within 100 steps, coordinates, rates and what friction took as before",
                             "as for any failure"});

@@ -211,7 +211,7 @@ TEST_CASE("a step that fails has lost nothing to friction and breaking", "[robus
   }
   const water::Losses a = plain.lost();
   const water::Losses b = tried.lost();
-  check.holds("A run goes on from a failed step as if it had not been tried.",
+  check.holds("The continuation after a failed step equals a run without that step.",
               {(same(plain.state(), tried.state()) ? 0.0 : 1.0) + (a.friction == b.friction ? 0 : 1) +
                (a.breaking == b.breaking ? 0 : 1)},
               Bound{0, "equality of bytes"});

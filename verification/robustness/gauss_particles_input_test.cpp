@@ -121,7 +121,7 @@ TEST_CASE("free particles that leave their lattice are a divergence with time an
   const std::string message = message_of<Divergence>([&] { march(flow, 5, 0.05); });
   INFO(message);
   const bool named = message.find("lattice with its margin is [-1.5, 1.5]") != std::string::npos;
-  check.holds("The message names the position that was left and the range of the lattice.", {named ? 1.0 : 0.0},
+  check.holds("The message gives the position of departure and the range of the grid.", {named ? 1.0 : 0.0},
               Qualitative{"Divergence that names the lattice's ends", "a run that breaks down must say where"});
   // The disc's outermost ring has radius 0.96; its rightmost particle passes 1.5 at t = 0.54 and more.
   check.holds("The run stops at the time when the drop arrives, not later.", {flow.time()},

@@ -114,7 +114,8 @@ TEST_CASE("a moving window that follows still water changes nothing", "[robustne
   Worst motion;
   for (const double u : flow.state().u) motion.add(u);
   for (const double z : flow.surface_z()) motion.add(z);
-  check.holds("Still water in a moving window stays still.", {motion.value()}, Bound{0, "every force is exactly zero"});
+  check.holds("Velocities of still water in a moving window are zero.", {motion.value()},
+              Bound{0, "every force is exactly zero"});
   check.holds("The moving window has followed the stated reach.", {flow.x().back()},
               Bound{0, "one column of width 1 for each unit of time", 14});
   check.holds("The number of columns left behind by the window is counted.", {static_cast<double>(flow.shifts())},

@@ -85,14 +85,15 @@ TEST_CASE("a lattice that fills a box is singular, and says what to do", "[robus
                    [] { Flow flow(full_box(), {}, {.walls = four_walls}); });
   Flow cured(full_box(), {}, {.stabilisation = 0.1, .walls = four_walls});
   cured.advance(0.05);
-  check.holds("The full box stays at rest with stabilisation.", {worst(cured.state().u)},
+  check.holds("Velocities in the full box are zero with stabilisation.", {worst(cured.state().u)},
               Bound{0, "every force is exactly zero"});
   Particles half = full_box();
   half.x.resize(50);
   half.y.resize(50);
   half.mass.resize(50);
   Flow open(half, {}, {.walls = four_walls});
-  check.holds("With a free surface it is regular.", {open.model().solver().pivot_ratio() > 1e-6 ? 1.0 : 0.0},
+  check.holds("The constraint matrix with a free surface is regular.",
+              {open.model().solver().pivot_ratio() > 1e-6 ? 1.0 : 0.0},
               Qualitative{"above 1e-6", "ten thousand times what counts as singular"});
 }
 

@@ -81,7 +81,7 @@ TEST_CASE("a piston may leave as fast as the water follows", "[robustness]") {
   march(flow, 0.5);
   Smallest thinnest;
   for (std::size_t i = 0; i < flow.particles().size(); ++i) thinnest.add(flow.particles().depth(i));
-  check.holds("Depths of all particles stay positive while the piston almost escapes.",
+  check.holds("Depths of all particles are positive while the piston almost escapes.",
               {thinnest.value() > 0 ? 1.0 : 0.0},
               Qualitative{"smallest depth positive", "the limit must not refuse what the equations allow"});
 }
@@ -142,7 +142,7 @@ TEST_CASE("a row as it is written keeps its momentum and refuses by name", "[rob
     if (against.depth(i) <= 1.2 && against.depth(i + 1) > 1.2) off.add(80 - against.edges()[i + 1] - front);
   }
   CHECK(off.count() == 2);
-  check.holds("The bore is in its place, whether the sweeps go with it or against it.", {off.value()},
+  check.holds("The bore position is exact for sweeps with and against its direction.", {off.value()},
               Bound{3 * width, "three particles, by which the order of the sweep moves the bore of figure 12"});
   Refusals refusals(check);
   refusals.refused({"end"}, [] { AsWritten row(still_water(), {Open{}, Wall{}}); });

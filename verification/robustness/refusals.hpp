@@ -45,7 +45,7 @@ class Refusals {
       wanted += (wanted.empty() ? "" : ", ") + word;
     }
     check_.holds(
-        of + "Rejected, naming: " + wanted + ".", {named ? 1.0 : 0.0},
+        of + "Invalid input is rejected with a message that names " + wanted + ".", {named ? 1.0 : 0.0},
         evidence::Qualitative{
             "std::invalid_argument whose message contains all of it",
             "input must be rejected before anything is computed, with what is wrong, its value and what is allowed"});

@@ -143,7 +143,7 @@ TEST_CASE("a particle file is read back through its XDMF", "[robustness]") {
               Qualitative{"attributes of Topology", "what ParaView draws as points"});
   check.holds("Shape and type of every dataset are those that the XDMF states.", {mismatches},
               Bound{0, "ParaView refuses what does not fit"});
-  check.holds("Values come back as they were, in the order of the identities.", {wrong_values},
+  check.holds("The values read equal those written, in the order of the identities.", {wrong_values},
               Bound{0, "they are copied"});
 
   write(scratch.path() / "again", reversed(particles), particles);

@@ -161,9 +161,9 @@ TEST_CASE("a state of another flow is refused by the name of what differs, and c
   for (Flow* flow : {&plain, &asked}) {
     for (int n = 0; n < 40; ++n) flow->advance(flow->stable_step());
   }
-  check.holds(fmt::format("Of {} states of other flows none is accepted.", states.size()),
+  check.holds(fmt::format("The number of accepted states of {} other flows is zero.", states.size()),
               {static_cast<double>(accepted)}, Bound{0, "a count"});
-  check.holds("A rejected state changes nothing, then and 40 steps later.",
+  check.holds("The flow after a rejected state is unchanged, immediately and 40 steps later.",
               {(kept ? 0.0 : 1.0) + (same(plain, asked) ? 0 : 1)},
               Bound{0, "equality of bytes, of counts and of extremes"});
 }

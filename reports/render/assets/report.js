@@ -1,3 +1,8 @@
+// On a phone the links of the head fold behind a button.
+const head = document.querySelector("nav.top"), menu = head.querySelector(".menu");
+head.classList.add("foldable");
+menu.addEventListener("click", () => menu.setAttribute("aria-expanded", head.classList.toggle("open")));
+
 // Tables that are wider than the page can be moved from the keyboard.
 for (const box of document.querySelectorAll(".scroll")) if (box.scrollWidth > box.clientWidth) box.tabIndex = 0;
 

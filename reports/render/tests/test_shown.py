@@ -22,7 +22,7 @@ class Records(Whole):
 
     def test_what_is_seen_first_comes_first_and_anything_else_of_that_name_is_a_table(self):
         page = self.page("cases/two_solvers")
-        self.assertLess(page.index("that of nobody"), page.index("Solvers side by side"))
+        self.assertLess(page.index("that of nobody"), page.index("Solver comparison</h2>"))
         self.assertNotIn('id="two_solvers.another-table-first-look"', page)
         self.assertIn('id="nulls-table-first-look"', self.page("cases/nulls"))
 

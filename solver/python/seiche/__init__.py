@@ -1,4 +1,4 @@
-"""Exact solutions of free-surface flows with numpy arrays in and out, and the cases of the suite for results of your own.
+"""Exact solutions of free-surface flows with numpy arrays, and the cases of the suite for your own results.
 
     import numpy, seiche
     wave = seiche.solitary(amplitude=0.3, depth=1.0, gravity=9.81)

@@ -1,22 +1,22 @@
-"""Turns what solvers write into the tables that `seiche score` asks for: fronts, surfaces, gauges, series.
+"""Converts solver output to the tables of `seiche score`: fronts, surfaces, gauges, series.
 
     python3 -m seiche.adapt front   postProcessing/floor --field alpha.water --column 0.05715 > front.csv
     python3 -m seiche.adapt surface run_*.vtu --field alpha.water > surface.csv
     python3 -m seiche.adapt gauge   run.nc --field eta --at x=2.5 > gauge.csv
     python3 -m seiche.adapt series  fort.61 > gauges.csv
 
-Read are: VTK, VTU, VTP and PVD (python3-vtk9; or meshio, without times), netCDF (xarray: CF, UGRID, ANUGA's .sww; its
+Formats: VTK, VTU, VTP and PVD (python3-vtk9; or meshio, without times), netCDF (xarray: CF, UGRID, ANUGA's .sww; its
 units become m and s), MATLAB's .mat (scipy), the particles of PySPH (.hdf5), OpenFOAM's sampled sets (.xy) and surfaces
-(.raw), and the folders of their times, Gerris' OutputLocation, and CSV with columns t and x. A time is the file's own,
-or its folder's name; `--step 0.01` counts the files instead.
+(.raw), and the folders of their times, Gerris' OutputLocation, and CSV with columns t and x. The time comes from the file,
+or from the name of its folder; `--step 0.01` counts the files instead.
 
 front    the farthest x at which the field falls below --level, or of the particles with four others within twice --near
-surface  the highest crossing of --level in every column of points; a field of one value per column is taken as it is,
-         and without --field the points themselves are on the surface
-gauge    the surface at one x by straight lines, or at one x and y by triangles between points; NaN where it is dry
-series   gauges that a solver wrote itself: a column for each, of Thetis' detectors (.hdf5) and ADCIRC's stations (fort.61)
-Nothing is smoothed, shifted or scaled else but by what is asked for: --column scales a front by the width of a column.
-Times of more than a year, such as seconds since 1970, are counted from the first on.
+surface  the highest crossing of --level in every column of points; a field of one value per column is the elevation,
+         and without --field the points themselves are the surface
+gauge    the surface at one x by linear interpolation, or at one x and y by triangles between points; NaN where dry
+series   gauges written by the solver, a column each: Thetis' detectors (.hdf5) and ADCIRC's stations (fort.61)
+Values are not smoothed, shifted or scaled, except by --column, which divides a front by the column width.
+Times above one year, such as seconds since 1970, count from the first one.
 """
 import argparse
 import csv

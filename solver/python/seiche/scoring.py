@@ -1,4 +1,4 @@
-"""The cases of the suite, from Python: their templates and files, and results judged by the command `seiche`."""
+"""The cases of the suite from Python: templates, files, and scores by the command `seiche`."""
 import functools
 import html
 import json
@@ -54,7 +54,7 @@ class Claims(list):
 
 
 class Result:
-    """What was found of a result, or of a case that was run."""
+    """The score of a result, or the outcome of a case that was run."""
 
     def __init__(self, record, notes=(), since=()):
         self.record = record
@@ -66,7 +66,7 @@ class Result:
 
     @property
     def passed(self):
-        """Whether every claim came out as the case expects it to."""
+        """Whether every claim is as expected."""
         return all(claim["as_declared"] for claim in self.record["claims"])
 
     def __repr__(self):
@@ -83,7 +83,7 @@ class Result:
         return f"<p>{html.escape(repr(self))}</p><table><tr>{head}</tr>{rows}</table>"
 
     def plot(self, axes=None):
-        """How much of its limit every claim uses. Returns matplotlib's axes."""
+        """Plots the fraction of its limit that every claim uses. Returns matplotlib's axes."""
         import matplotlib.pyplot as plt
 
         axes = axes or plt.subplots(figsize=(7, 0.4 * len(self.claims) + 1))[1]
@@ -109,7 +109,7 @@ class Case:
         return f"<seiche.Case {self.name}: {self.about['title']}>"
 
     def template(self, table=None):
-        """What is asked for, a dict of columns by table: where the reference is known, and NaN to be filled in."""
+        """The template, a dict of columns by table: coordinates of the reference, and NaN to be filled in."""
         chosen = {}
         for name in [table] if table else self.tables:
             printed = _run("score", self.name, "--template", "--table", name, *_settings(self.parameters))
@@ -127,7 +127,7 @@ class Case:
         return {f"{file.parent.name}/{file.name}" if file.name == "table.csv" else file.name: file for file in files}
 
     def score(self, data, solver="mine", dx=None, seconds=None, uncertainty=None, out=None, **options):
-        """Judges tables of columns, {"gauges": {"gauge": ..., "t": ..., "eta": ...}}; one table may be given as it is, as
+        """Scores tables of columns, {"gauges": {"gauge": ..., "t": ..., "eta": ...}}; one table may be given as it is, as
         a pandas DataFrame, as an xarray Dataset, or as a file's path.
 
         uncertainty  standard, by quantity: {"eta": 0.001} or {"eta": "1%"}
@@ -166,7 +166,7 @@ class Case:
 
 
 def cases():
-    """Names of the cases that judge results of others."""
+    """Names of the cases that accept external results."""
     return [name for name, one in _listed().items() if one["scores"]]
 
 
@@ -180,7 +180,7 @@ def read_record(path):
 
 
 def run(*names, out, tier="quick", **parameters):
-    """Runs cases of the suite into a folder; their results."""
+    """Runs cases of the suite into a folder and returns their results."""
     _run("run", *names, "--tier", tier, "--out", out, *_settings(parameters), allowed=(0, 1))
     suffix = "" if tier == "quick" else f"@{tier}"
     return [read_record(pathlib.Path(out) / f"{name}{suffix}.json") for name in names]

@@ -14,7 +14,7 @@ namespace seiche::validation {
 inline void require_bore(const Values& values, const std::string& behind, const std::string& ahead) {
   constexpr double least = 1 + 1e-6;  // of their ratio: speeds and losses are differences of the depths
   if (values.real(behind) >= least * values.real(ahead)) return;
-  throw std::invalid_argument(fmt::format("{} = {:g} is out of range: must exceed {} = {:g} (a jump loses energy)",
+  throw std::invalid_argument(fmt::format("{} = {:g} is out of range: must exceed {} = {:g} (a bore loses energy)",
                                           behind, values.real(behind), ahead, values.real(ahead)));
 }
 

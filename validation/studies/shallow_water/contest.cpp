@@ -54,14 +54,13 @@ const Contestant& by_scheme(const std::vector<Contestant>& contestants, const st
 void report_contest(evidence::Exhibit& exhibit, const FlowProblem& problem, double time,
                     const std::vector<Contestant>& contestants, const std::vector<std::string>& atlas) {
   evidence::Table& table = add_table(
-      exhibit, "schemes", "The schemes side by side",
-      fmt::format(
-          "Errors at t = {:g} s, means over the water: of cell means, of the method's own reconstruction, of the "
-          "piecewise constant picture. The width of the jump counts cells between 5 % and 95 % of it.",
-          time),
+      exhibit, "schemes", "Comparison of the schemes",
+      fmt::format("Errors at t = {:g} s, means over the water: of cell means, of the method's own reconstruction, of "
+                  "the piecewise constant profile. The width of the jump counts cells between 5 % and 95 % of it.",
+                  time),
       {"scheme", "cell L1(h) [m]", "reconstructed L1(h) [m]", "constant L1(h) [m]", "constant L2(h) [m]",
        "constant max(h) [m]", "cell L1(u) [m/s]", "width [cells]", "front error [m]"});
-  auto& figure = exhibit.figure("schemes", "The schemes side by side",
+  auto& figure = exhibit.figure("schemes", "Comparison of the schemes",
                                 fmt::format("Depth at t = {:g} s by each scheme at the same resolution.", time), atlas);
   for (const Contestant& c : contestants) {
     if (!c.finished()) {

@@ -40,7 +40,7 @@ particles::Particles initial_particles(const FlowProblem& problem, const Discret
     stretches.push_back({ends[k], ends[k + 1], state});
     wet += ends[k + 1] - ends[k];
   }
-  if (stretches.empty()) throw std::invalid_argument("depth = 0 everywhere: there must be water somewhere");
+  if (stretches.empty()) throw std::invalid_argument("depth = 0 everywhere: at least one side must be positive");
   const long count = std::lround(static_cast<double>(d.particles) * wet / problem.length());
   return particles::uniform_stretches(stretches, static_cast<std::size_t>(std::max(1L, count)), d.equal_masses);
 }

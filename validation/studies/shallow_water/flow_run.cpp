@@ -58,7 +58,7 @@ FlowRun compute_flow(const FlowProblem& problem, const Discretisation& discretis
 
 Parameter rearrangement() {
   return choice("rearrangement", {as_written, "hand_over", "hand_over"}, {as_written, "hand_over"},
-                "of particles: as its authors wrote it beside the hand-over, or the hand-over alone");
+                "of particles: as written by the authors beside the hand-over, or the hand-over alone");
 }
 
 FlowRun compute_as_written(const Values& values, const FlowProblem& problem, const Discretisation& discretisation,
@@ -98,7 +98,8 @@ void claim_conservation(const Claims<FlowRun>& claims, const FlowProblem& proble
   const Amount most_operations = Amount::told_by_run(operations(count, most_steps(problem, discretisation, time)));
   claims.from("conservation law of mass")
       .check(
-          "mass" + suffix, "Mass changes only by what passes the ends.", "mass less the mass booked at the ends [m^2]",
+          "mass" + suffix, "The mass change equals the booked inflow minus outflow to round-off.",
+          "mass minus the mass booked at the ends [m^2]",
           [told](const FlowRun& flow) { return told(flow, flow.mass_defect, flow.mass); },
           Roundoff{.operations = most_operations,
                    .scale = Amount::told_by_run(mass),
@@ -106,8 +107,8 @@ void claim_conservation(const Claims<FlowRun>& claims, const FlowProblem& proble
                              "over N particles, of the size N m, count as N^2 such operations each"});
   claims.from("conservation law of momentum")
       .check(
-          "momentum" + suffix, "Momentum changes only by the impulses at the ends.",
-          "momentum less the impulses booked at the ends [m^3/s]",
+          "momentum" + suffix, "The momentum change equals the booked impulses at the ends to round-off.",
+          "momentum minus the impulses booked at the ends [m^3/s]",
           [told](const FlowRun& flow) { return told(flow, flow.momentum_defect, flow.momentum_scale); },
           Roundoff{.operations = most_operations,
                    .scale = Amount::told_by_run(momentum),
@@ -130,29 +131,33 @@ void claim_as_written(const Claims<FlowRun>& all, const Values& values, const st
     const bool known = misses.contains(id);
     const double missed = known ? misses.at(id) : 0;
     published
-        .fails({.value = missed,
-                .width = 0.01 * std::abs(missed),
-                .reason = "the text leaves the pressure at a shared side and equal densities open; by this reading the "
-                          "states beside a jump miss its conditions by up to 5 %, and its speed with them"},
-               known)
+        .fails(
+            {.value = missed,
+             .width = 0.01 * std::abs(missed),
+             .reason =
+                 "the text leaves the pressure at a shared side and equal densities open; in this interpretation the "
+                 "states beside a jump deviate from the jump conditions by up to 5 %, and the jump speed with them"},
+            known)
         .check(id + "_as_written", text, quantity, measure, bound);
   };
   check(
-      "cell_l1_h", "Mean depths by the rearrangement as written are within a particle of the exact profile.",
+      "cell_l1_h",
+      "The mean error of depths by the rearrangement as written is below the error of the exact profile moved by one "
+      "particle width.",
       "cell L1(h) [m]", [](const FlowRun& flow) { return flow.errors.cell.depth.l1; },
       Bound{.limit = range / static_cast<double>(d.particles),
             .reason = "a profile moved by the width of one of N particles differs by the range of depths over N in the "
                       "mean"});
   if (front == nullptr) return;
   check(
-      "front", "The jump by the rearrangement as written is in its place, to one particle.",
-      "position of the jump less the exact one [m]",
+      "front", "The position of the jump by the rearrangement as written is exact within one particle width.",
+      "position of the jump minus the exact position [m]",
       [front = *front](const FlowRun& flow) { return front_position(flow.profile(), front) - front.position; },
       Bound{.limit = problem.length() / static_cast<double>(d.particles),
-            .reason = "the particles' first width: one holds the jump"});
+            .reason = "the initial particle width: one particle holds the jump"});
   check(
-      "width", "The jump by the rearrangement as written is one particle wide.",
-      "particles between 5 % and 95 % of the jump",
+      "width", "The width of the jump by the rearrangement as written is one particle.",
+      "particles between 5 % and 95 % of the depth difference",
       [front = *front](const FlowRun& flow) { return front_width(flow.profile(), front); },
       Bound{.limit = 1, .reason = "the paper hands the jump from one particle to the next"});
 }
@@ -161,9 +166,10 @@ void claim_single_particle(const Claims<FlowRun>& claims, const Front& front) {
   claims.at(resolution_of)
       .from("the hand-over of section 3 of the paper")
       .check(
-          "width", "The width of the bore is a single particle.", "particles between 5 % and 95 % of the jump",
+          "width", "The width of the bore is a single particle.",
+          "particles between 5 % and 95 % of the depth difference",
           [front](const FlowRun& flow) { return front_width(flow.profile(), front); },
-          Bound{.limit = 1, .reason = "one particle holds the jump; none at the instant of hand-over"});
+          Bound{.limit = 1, .reason = "one particle holds the bore; none at the instant of hand-over"});
 }
 
 void claim_exact_profile(const Claims<FlowRun>& claims, double deepest, const Discretisation& discretisation,
@@ -171,12 +177,12 @@ void claim_exact_profile(const Claims<FlowRun>& claims, double deepest, const Di
   claims.at(resolution_of)
       .from("jump conditions (11) of the paper")
       .check(
-          "reconstructed_l1_h", "The method's profile is the exact one.", "reconstructed L1(h) [m]",
-          [](const FlowRun& flow) { return flow.errors.reconstructed.depth.l1; },
+          "reconstructed_l1_h", "The reconstructed profile equals the exact solution to round-off.",
+          "reconstructed L1(h) [m]", [](const FlowRun& flow) { return flow.errors.reconstructed.depth.l1; },
           Roundoff{.operations =
                        8 * std::round(time / discretisation.time_step) * static_cast<double>(discretisation.particles),
                    .scale = deepest,
-                   .reason = "eight rounded operations per step, and per particle the jump has passed"});
+                   .reason = "eight rounded operations per step, and per particle that the jump has passed"});
 }
 
 void claim_range(const Claims<FlowRun>& claims, double lowest, double highest, const Discretisation& discretisation,
@@ -184,7 +190,8 @@ void claim_range(const Claims<FlowRun>& claims, double lowest, double highest, c
   claims.at(resolution_of)
       .from(source)
       .check(
-          "range", "No depth leaves the range of the exact solution.", "largest depth outside the range [m]",
+          "range", "Depths stay within the range of the exact solution to round-off.",
+          "largest depth outside the range [m]",
           [lowest, highest](const FlowRun& flow) { return excursion(flow.profile(), lowest, highest); },
           // Depth is mass over width: the rounding of two edges of the size of the channel counts N times.
           Roundoff{.operations = std::round(time / discretisation.time_step),

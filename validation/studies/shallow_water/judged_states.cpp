@@ -47,7 +47,7 @@ void judge(const JudgedStates& states, const Submitted& submitted, const SolverF
       continue;
     }
     if (one.id == "front" && !points.cover(judged.front.position)) {
-      record.leave_out({claim_of(one), "the points do not reach the front"});
+      record.leave_out({claim_of(one), "the submitted points do not reach the front"});
       continue;
     }
     if (one.id == "celerity" && largest(exact_depth) - smallest(exact_depth) <= 1e-9 * largest(exact_depth)) {
@@ -76,10 +76,9 @@ void claim_states(const Claims<FlowRun>& claims, const JudgedStates& states, dou
        riemann_requirements(states.solution, states.since, states.start, states.end, cell, 0, viscosity)) {
     const Amount& limit = one.bound.limit;
     claims
-        .only_if(!(limit.value() > limit.cap()),
-                 fmt::format("on cells of {:.3g} m a scheme of first order loses more than half of what water that "
-                             "never moved would miss: nothing could be told",
-                             cell))
+        .only_if(!(limit.value() > limit.cap()), fmt::format("on cells of {:.3g} m the error of a first-order scheme "
+                                                             "exceeds half of the error of water at rest: inconclusive",
+                                                             cell))
         .check(
             claim_of(one),
             [states, error = one.error](const FlowRun& run) {

@@ -59,8 +59,8 @@ ProfilePoints submitted_points(const Submitted& submitted, double start, double 
   constexpr double rounding = 1e-9;
   if (!(apart.value() <= (2 + rounding) * cell)) {
     throw std::invalid_argument(
-        fmt::format("column x: points up to {:.3g} m apart, must be at most two cells of {:.3g} m: print more points, "
-                    "or say how large your cells are by --dx",
+        fmt::format("column x: points up to {:.3g} m apart, must be at most two cells of {:.3g} m: submit more points, "
+                    "or state the cell size by --dx",
                     apart.value(), cell));
   }
   const auto column = [&](const char* name) {
@@ -82,8 +82,7 @@ double judged_cell(const Submitted& submitted, double length, long cells, const 
 }
 
 std::string resolution_of(const ProfilePoints& points, double cell, const SolverFacts& facts) {
-  return fmt::format("cells of {:.4g} m{}, {} points", cell, facts.cell ? "" : " (--dx says otherwise)",
-                     points.x.size());
+  return fmt::format("cells of {:.4g} m{}, {} points", cell, facts.cell ? "" : " (--dx overrides)", points.x.size());
 }
 
 MeanErrors mean_errors(const ProfilePoints& points, const std::function<State(double)>& exact, int samples) {

@@ -272,9 +272,8 @@ std::vector<RiemannRequirement> riemann_requirements(const exact::Riemann& solut
   const RiemannErrors between = lost_between_points(solution, time, length, std::max(finest, apart));
   const MeanErrors untouched = errors_of_the_initial_state(solution, time, length);
   const std::string reason = fmt::format(
-      "what Rusanov's scheme, of first order and the most viscous in use, loses on cells of {:.3g} m{}, and what "
-      "points "
-      "{:.3g} m apart lose that show a jump between two of them, half of that distance",
+      "the error of Rusanov's scheme, first-order and the most viscous in use, on cells of {:.3g} m{}, and the error "
+      "of points {:.3g} m apart at a jump, half of that distance",
       finest, viscosity > 1 ? fmt::format(" with {:.3g} times its viscosity", viscosity) : "", std::max(finest, apart));
   // Integrals lose both; a celerity one or the other. A front loses both: its cells begin with the jump anywhere in
   // one.
@@ -286,37 +285,36 @@ std::vector<RiemannRequirement> riemann_requirements(const exact::Riemann& solut
     return std::isnan(here) ? between.*error : std::max(here, between.*error);
   };
   const auto mean = [&](double RiemannErrors::*error, double at_rest) {
-    return Bound{
-        .limit = evidence::Amount::at_most(sum(error, rounding), std::max(0.5 * at_rest, rounding)),
-        .reason = reason + ". It decides while that is less than half of what water that never moved would leave"};
+    return Bound{.limit = evidence::Amount::at_most(sum(error, rounding), std::max(0.5 * at_rest, rounding)),
+                 .reason = reason + ". Conclusive while below half of the error of water at rest"};
   };
   std::vector<RiemannRequirement> all = {
-      {"depth", "Depth agrees with the exact solution as well as first-order schemes do.", "mean |h - exact|", "m",
-       &RiemannErrors::depth, mean(&RiemannErrors::depth, untouched.depth)},
-      {"discharge", "Discharge agrees with the exact solution as well as first-order schemes do.", "mean |h u - exact|",
-       "m^2/s", &RiemannErrors::discharge, mean(&RiemannErrors::discharge, untouched.discharge)},
+      {"depth", "The mean depth error is at most the error of Rusanov's first-order scheme on the same cells.",
+       "mean |h - exact|", "m", &RiemannErrors::depth, mean(&RiemannErrors::depth, untouched.depth)},
+      {"discharge", "The mean discharge error is at most the error of Rusanov's first-order scheme on the same cells.",
+       "mean |h u - exact|", "m^2/s", &RiemannErrors::discharge, mean(&RiemannErrors::discharge, untouched.discharge)},
       {"volume",
-       "Water volume between the first and the last point equals the exact volume.",
-       "volume less the exact one",
+       "The water volume between the first and the last point equals the exact volume.",
+       "volume minus the exact volume",
        "m^2",
        &RiemannErrors::volume,
        {.limit = sum(&RiemannErrors::volume, rounding * length), .reason = reason}},
       {"momentum-held",
-       "Momentum between the first and the last point equals the exact momentum.",
-       "momentum less the exact one",
+       "The momentum between the first and the last point equals the exact momentum.",
+       "momentum minus the exact momentum",
        "m^3/s",
        &RiemannErrors::momentum,
        {.limit = sum(&RiemannErrors::momentum, rounding * length), .reason = reason}},
       {"celerity",
        "The distance that waves have travelled agrees with the exact solution.",
-       "share of the time by which the depth is nearest to a later instant",
+       "relative time shift of the best fit of the depth",
        "1",
        &RiemannErrors::celerity,
        {.limit = evidence::Amount::at_most(either(&RiemannErrors::celerity), most_of_time), .reason = reason}}};
   if (has_front(solution)) {
     all.push_back({"front",
-                   "Front of the bore, or end of the water on a dry bed, is at the exact position.",
-                   "position less the exact one",
+                   "The front position, of the bore or on a dry bed, agrees with the exact solution.",
+                   "position minus the exact position",
                    "m",
                    &RiemannErrors::front,
                    {.limit = either(&RiemannErrors::front) + between.front, .reason = reason}});

@@ -41,7 +41,7 @@ evidence::ObservedOrder Entry::order() const {
 const Entry& Contest::of(const std::string& id) const {
   const auto found = std::ranges::find(entries_, id, &Entry::id);
   if (found != entries_.end()) return *found;
-  throw std::logic_error("no model of the contest is called \"" + id + "\"");
+  throw std::logic_error("unknown model of the comparison \"" + id + "\"");
 }
 
 Attempt attempt(const std::function<Racer()>& start, const Trial& trial, bool may_refuse) {
@@ -70,7 +70,7 @@ Attempt attempt(const std::function<Racer()>& start, const Trial& trial, bool ma
       }
       const bool known = at_end || !sight.off.empty();
       if (known && !(error <= trial.useless) && result.cause.empty()) {
-        result.cause = std::isnan(error) ? "nothing is left of its surface" : trial.useless_in_words;
+        result.cause = std::isnan(error) ? "its surface has vanished" : trial.useless_in_words;
       }
       if (result.cause.empty()) result.lasted = to;
       if (to >= look) ++n;
@@ -113,14 +113,13 @@ Contest contest(const Run& run, const std::vector<Contender>& contenders, const 
 void Contest::show(evidence::Exhibit& exhibit, const Units& units) const {
   auto& cost =
       add_panel(exhibit, "cost", "Error against processor time",
-                fmt::format("Of each model on its resolutions, coarse to fine, at t = {:.4g}.", trial_.end),
+                fmt::format("Of each model at its resolutions, coarse to fine, at t = {:.4g}.", trial_.end),
                 {.x = "processor time [s]", .y = fmt::format("error [{}]", units.error), .log_x = true, .log_y = true});
   const auto in = [](const std::string& name, const std::string& unit) { return name + " [" + unit + "]"; };
   evidence::Table& table = add_table(
-      exhibit, "side_by_side", "The models side by side",
+      exhibit, "side_by_side", "Comparison of the models",
       fmt::format(
-          "Error, processor time and what energy and momentum change by until t = {:.4g}; then on to t = {:.4g}, "
-          "or until {}.",
+          "Error, processor time and change of energy and momentum until t = {:.4g}; continued to t = {:.4g}, or until {}.",
           trial_.end, trial_.last, trial_.useless_in_words),
       {"model", "size of", in("size", units.size), in("error", units.error), in("uncertainty", units.error),
        "processor time [s]", "energy [1]", "momentum [1]", in("lasted", units.time), in("asked", units.time),
@@ -157,33 +156,33 @@ double energy_of_finest(const Entry& entry) {
 void claim_lasts(const Claims<Entry>& claims, const Named& model, double last, const std::string& source) {
   claims.from(source).check(
       model.id + "-lasts", fmt::format("The time of the run equals the end time to 1e-9 ({}).", model.name),
-      "time until it breaks down", [](const Entry& entry) { return entry.finest().lasted; },
-      Bound{.limit = 1e-9, .reason = "the time that was asked for", .expected = last});
+      "time of breakdown", [](const Entry& entry) { return entry.finest().lasted; },
+      Bound{.limit = 1e-9, .reason = "the requested time", .expected = last});
 }
 
 void claim_breaks(const Claims<Entry>& claims, const Named& model, const std::string& reason,
                   const std::string& source) {
   claims.from(source).check(
-      model.id + "-breaks", fmt::format("Breaks down before the end: {}.", model.name),
-      "on one of its resolutions it breaks down before",
+      model.id + "-breaks", fmt::format("The run breaks down before the end time ({}).", model.name),
+      "a run at one of its resolutions breaks down earlier",
       [](const Entry& entry) { return std::ranges::any_of(entry.attempts, &Attempt::broke); },
-      Qualitative{.detector = "it stops, or its error says that it has lost the flow", .reason = reason});
+      Qualitative{.detector = "the run stops, or its error exceeds the limit of the comparison", .reason = reason});
 }
 
 void claim_dissipates(const Claims<Entry>& claims, const Named& model, const std::string& reason,
                       const std::string& source) {
   claims.from(source).check(
-      model.id + "-dissipates", fmt::format("Energy at the end is below the energy at the start ({}).", model.name),
-      "the energy falls, on every resolution",
+      model.id + "-dissipates", fmt::format("The final energy is below the initial energy ({}).", model.name),
+      "the energy falls at every resolution",
       [](const Entry& entry) {
         return std::ranges::all_of(entry.attempts, [](const Attempt& one) { return one.energy < 0; });
       },
-      Qualitative{.detector = "energy at the end less the initial energy is negative", .reason = reason});
+      Qualitative{.detector = "final minus initial energy is negative", .reason = reason});
 }
 
 void claim_energy(const Claims<Entry>& claims, const Named& model, double operations, double scale,
                   const std::string& reason, const std::string& source) {
-  claims.from(source).check(model.id + "-energy", fmt::format("The energy is conserved to round-off: {}.", model.name),
+  claims.from(source).check(model.id + "-energy", fmt::format("The energy is conserved to round-off ({}).", model.name),
                             "relative change", energy_of_finest,
                             Roundoff{.operations = operations, .scale = scale, .reason = reason});
 }
