@@ -98,7 +98,7 @@ class Parts(Scoring):
         scored = self.score("composite_beach", "--data", self.write(still), "--table", "gauges")
         self.accepted(scored, 1)
         self.assertIn("readings, u_num not stated, without gauges-arrival-", scored.stdout)
-        self.assertIn("it does not hold what is measured", scored.stdout)
+        self.assertIn("the measured quantity is missing", scored.stdout)
         self.assertNotIn("error nan %", scored.stdout)
         names, rows = rows_of(seiche("score", "breaking_on_slope", "--template", "--table", "levels").stdout)
         wrong = ",".join(names) + "\n" + "".join(f"{case},{x},0.02\n" for case, x, _ in rows)
