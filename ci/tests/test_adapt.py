@@ -222,6 +222,8 @@ class Adapt(Scoring):
         _, gauge = self.rows("gauge", self.folder / "run.nc", "--field", "eta", "--at", "x=0.25")
         np.testing.assert_allclose(gauge, [[0.25, 0, 0.5], [0.25, 0.5, 1.0]])
         self.refuses(self.adapt("gauge", self.folder / "run.nc", "--at", "x=0.25"), "needs --field: there are eta")
+        self.netcdf("alone.nc", eta=("other", t), x=("x", x))
+        self.refuses(self.adapt("gauge", self.folder / "alone.nc", "--field", "eta", "--at", "x=0.25"), "no field at points")
         self.netcdf("late.nc", eta=(("time", "x"), eta), x=("x", x),
                     time=("time", 1577836800 + t, {"units": "seconds since 1970-01-01"}))
         _, gauge = self.rows("gauge", self.folder / "late.nc", "--field", "eta", "--at", "x=0.25")
@@ -287,9 +289,11 @@ class Adapt(Scoring):
     def test_matlab_gauge(self):
         import scipy.io
         x, t = np.linspace(0, 1, 11), np.array([0.0, 0.5, 1.0])
-        scipy.io.savemat(self.folder / "run.mat", {"Xp": x, "Tsec": t, "Watlev": np.add.outer(2 * x, t)})
-        _, gauge = self.rows("gauge", self.folder / "run.mat", "--field", "Watlev", "--at", "x=0.25")
-        np.testing.assert_allclose(gauge[:, 1:], [[0, 0.5], [0.5, 1.0], [1, 1.5]])
+        levels = np.add.outer(2 * x, t)
+        for field in (levels, levels.T):
+            scipy.io.savemat(self.folder / "run.mat", {"Xp": x, "Tsec": t, "Watlev": field})
+            _, gauge = self.rows("gauge", self.folder / "run.mat", "--field", "Watlev", "--at", "x=0.25")
+            np.testing.assert_allclose(gauge[:, 1:], [[0, 0.5], [0.5, 1.0], [1, 1.5]])
 
 
 if __name__ == "__main__":

@@ -57,6 +57,12 @@ class Drawn(unittest.TestCase):
         problem = figures.draw(str(file), "f", "panels", small, "key", str(target))
         return problem, target.read_bytes() if target.exists() else b""
 
+    def test_a_cell_is_split_along_its_flatter_diagonal(self):
+        x, y = numpy.meshgrid([0.0, 1.0], [0.0, 1.0])
+        for z, split in (([[2, 1], [3, 2]], [0, 3]), ([[1, 2], [2, 3]], [1, 2])):
+            both = [set(corners) for corners in lattices.triangles(x, y, numpy.array(z, float)).tolist()]
+            self.assertEqual(sorted(both[0] & both[1]), split)
+
     def test_surface_and_plan_side_by_side_and_as_a_stamp(self):
         for small in (False, True):
             problem, svg = self.draw(panel(hill()), panel(hill(style="plan")), small=small)

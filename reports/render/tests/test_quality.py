@@ -7,7 +7,7 @@ import unittest
 
 from made import Whole, body, record
 
-from render import coverage, experiments, marks, mutants, records, speed
+from render import coverage, experiments, marks, mutants, pages, records, speed
 
 LINES = """file,lines,ran
 solver/seiche/exact/bore.cpp,100,95
@@ -67,7 +67,22 @@ class Quality(Whole):
         self.assertEqual(len(lines[0].errors), 2)       # of another sign as well: 31.1 for 29 is 2.1 of 1
         self.assertAlmostEqual(lines[0].median, 1.1)
         self.assertAlmostEqual(lines[0].worst, 2.1)
-        self.assertEqual(experiments.scatter_figure(lines).count("<circle"), 2)
+        drawn = experiments.scatter_figure(lines)
+        self.assertEqual(drawn.count("<circle"), 2)
+        left, size = experiments.LEFT, experiments.SIZE
+        self.assertIn(f"M{left} {size}L{left + size} 0", drawn)     # where computed and measured are equal
+
+    def test_a_logarithmic_axis_has_ticks_at_1_2_and_5_or_at_powers_alone(self):
+        self.assertEqual(marks._ticks(0, 1), [1, 2, 5, 10])
+        self.assertEqual(marks._ticks(-1, 1.5), [0.1, 1, 10])
+
+    def test_facts_of_provenance_stand_the_most_frequent_first(self):
+        def of(commit, processor):
+            one = record("c")
+            return records.Record("c.json", {**one, "provenance": {**one["provenance"], "commit": commit, "processor": processor}})
+        told = pages.facts([of("a" * 16, "slow"), of("b" * 16, "fast"), of("b" * 16, "fast")])
+        self.assertEqual([commit[:1] for commit in told["commit"]], ["b", "a"])
+        self.assertEqual([machine[:4] for machine in told["machine"]], ["fast", "slow"])
 
     def test_mutants_are_counted_by_room_and_survivors_named(self):
         def row(seed, room, line, outcome, reason=""):

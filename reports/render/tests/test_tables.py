@@ -5,7 +5,7 @@ import tempfile
 import unittest
 
 from made import claim, figure, record, reported, write_arrays
-from render import quantities
+from render import pages, quantities
 
 
 class Tables(html.parser.HTMLParser):
@@ -89,6 +89,9 @@ class CasePage(unittest.TestCase):
             ["Defect m", "1.5", "✓pass 1.25 ± 0.50", "✓pass 1.312"], ["Defect s", "2", "✓pass 2.25", "✓pass 2.312"],
             ["Defect", "2", "✓pass 2.12 ± 0.25", "✓pass 2.188"], ["Defect", "present", "✗fail absent", "not claimed"],
             ["Time", "", "1 min 15 s", "30.0 s"], ["Threads", "", "1", "not stated"]])
+
+    def test_a_share_is_per_cent(self):
+        self.assertEqual((pages.percent(0.25), pages.percent(None)), ("25\N{NO-BREAK SPACE}%", ""))
 
     def test_a_time_that_nobody_told_is_not_stated(self):
         self.assertEqual([quantities.duration(seconds) for seconds in (0.0, 1e-4, 75)], ["not stated", "< 1 ms", "1 min 15 s"])
