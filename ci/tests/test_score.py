@@ -301,7 +301,7 @@ class Score(Scoring):
     def test_malformed_csv_is_refused_with_line_and_column(self):
         good = "1,1,0\n2,1,0\n"
         for text, words in [
-                ("x,h\n1,1\n2,1\n", ["column u is missing"]),
+                ("x,v\n1,1\n2,1\n", ["column h is missing"]),
                 ("x,h,u\n1,1,zero\n", ["line 2", "column u", "'zero'"]),
                 ("x,h,u\n1,1,\n2,1,0\n3,1,0\n", ["line 2", "column u", "no value"]),
                 ("x,h,u\n1,1\n", ["line 2", "column u"]),
@@ -317,7 +317,7 @@ class Score(Scoring):
                 ("x,h [m,u\n" + good, ["line 1", "column h", "bracket"]),
                 ("x,h,h\n" + good, ["line 1", "column h", "twice"]),
                 ("x,h,h,u\n" + good, ["line 2", "3 entries", "must be 4"]),
-                ("x,,u\n" + good, ["column h is missing", "column 2"]),
+                ("x,,v\n" + good, ["column h is missing", "column 2"]),
                 ("1,1,0\n2,1,0\n", ["line 1", "no names", "--columns"]),
                 ("x,h,u\n1,1,0\n", ["rows", "at least two"]),
                 ("x;h;u\n1;1;0\n", ["rows", "at least two"]),
@@ -354,7 +354,7 @@ class Score(Scoring):
         wrong = h.copy()
         wrong[3] = np.nan
         for columns, units, words in [
-                ({"x": x, "h": h}, None, ["column u is missing", "h, x"]),
+                ({"x": x, "v": u}, None, ["column h is missing", "x, v"]),
                 ({"x": x, "h": h[:-1], "u": u}, None, ["column", "50", "49"]),
                 ({"x": x, "h": wrong, "u": u}, None, ["column h", "element 3", "no value"]),
                 ({"x": x, "h": h.reshape(5, 10), "u": u}, None, ["column h", "2 dimensions"]),

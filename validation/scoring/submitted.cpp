@@ -34,7 +34,9 @@ class Reader {
          std::set<std::string>& used)
       : file_(file), wanted_(wanted), understood_(understood), used_(used), columns_(file, wanted, alone, understood) {
     for (const WantedQuantity& q : wanted.quantities) {
-      if (understood.renamed.contains(q.column.name) || columns_.find(q.column)) given_.push_back(&q);
+      const std::string& name = q.column.name;
+      if (understood.renamed.contains(name) || file.unusable.contains(name) || columns_.find(q.column))
+        given_.push_back(&q);
     }
     holds_ = std::ranges::any_of(given_, [&](const WantedQuantity* q) { return columns_.find(q->column).has_value(); });
     if (given_.empty()) given_.push_back(&wanted.quantities.front());  // whose column is missing
