@@ -118,7 +118,7 @@ TEST_CASE("over waves along one axis the surface is the channel's", "[dispersion
       }
     }
   }
-  const auto channel = dispersive_shallow_water_1d::water_surface(x, z, volume, improved);
+  const auto channel = dispersive_shallow_water_1d::water_surface({.bottom = {}, .gamma = improved}, x, z, volume);
   WaterSurface surface(shape, improved);
   const auto found = surface.read(sheet.volumes, sheet.q);
   Largest difference, moved;
