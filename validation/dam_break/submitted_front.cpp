@@ -62,7 +62,7 @@ std::string text_of(const Counting& count, const ColumnFront& data, double farth
   std::string text = fmt::format("{} of {} published points count", count.used.size(), data.T.size());
   if (count.beyond > 0) text += fmt::format(", {} lie beyond X/a = {:.3g}", count.beyond, farthest);
   if (count.later > 0) {
-    text += fmt::format(", {} are later than the front is known for every shift, T = {:.3g}", count.later,
+    text += fmt::format(", {} later than the front is known for every shift, T = {:.3g}", count.later,
                         computed.x.back() + ShiftRange{}.lowest);
   }
   if (count.before > 0) text += fmt::format(", {} lie before it is known: begin at T = 0", count.before);

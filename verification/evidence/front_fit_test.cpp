@@ -49,7 +49,7 @@ TEST_CASE("the rate of a front is found beside its shift", "[evidence]") {
   close("late-rate", late.rate, rate);
   const FrontFit exact = front_fit({T, X}, data, 100, 0.0);
   const FrontFit twice = front_fit({T, X}, data, 100, 0.04);
-  check.that("uncertainty", "The uncertainty of the rate is proportional to the uncertainty of the front.", "ratio",
+  check.that("uncertainty", "Twice the uncertainty of the front gives twice the uncertainty of the rate.", "ratio",
              {*twice.rate_numerical / *fit.rate_numerical}, Bound{1e-12, "round-off", 2});
   check.that("certain", "The uncertainty added by an exact front is zero.", "numerical uncertainty of the rate",
              {*exact.rate_numerical}, Bound{0, "nothing was stated to be uncertain"});

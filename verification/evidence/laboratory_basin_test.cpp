@@ -137,7 +137,7 @@ TEST_CASE("gauges read the surface where they stand while the lattice moves", "[
   double numbers = 0;
   for (const double z : outside.read({before.x, before.y, before.z})) numbers += std::isnan(z) ? 0 : 1;
   check.from("validation/instruments/plan_gauges.hpp")
-      .that("outside", "The readings of gauges outside the water are empty.", "gauges outside that read a number",
+      .that("outside", "Gauges outside the water have no reading.", "gauges outside that read a number",
             {numbers}, Bound{0, "none stands in the water"});
 }
 

@@ -110,13 +110,13 @@ TEST_CASE("readings of a known curve are what they should be", "[evidence]") {
      "The uncertainty of the position of a sharp crest combines abscissa and points 0.5 apart.",
      when_highest(0, {}).uncertainty(peak), std::hypot(0.03, 0.5 / 2), 1e-12, "points 0.5 apart");
   const auto slow = [](double t) { return std::sin(t - 0.2005); };
-  is(check, "lag-range", "The fitted time shift is limited to its range.",
+  is(check, "lag-range", "The fitted time shift is limited to its range, 0.2.",
      lag_of(sampled(0, 10, 1000, slow, 0).curve(),
             sampled(
                 1, 8, 100, [](double t) { return std::sin(t); }, 0.01),
             {2, 6}, 0.2),
      0.2, 1e-12, "the record is 0.2005 late");
-  is(check, "misfit-uncertainty", "The uncertainty of a misfit combines points and slope times clock.",
+  is(check, "misfit-uncertainty", "The uncertainty of a misfit combines two parts: points, and slope times clock.",
      misfit(0, {3.5, 5.5}).uncertainty(front), std::hypot(0.002, 0.05 * 0.03), 1e-12, "a straight line");
   is(check, "height-uncertainty",
      "The uncertainty of a height from trough to crest is sqrt(2) times the uncertainty of a point.",

@@ -288,7 +288,7 @@ TEST_CASE("steep water that runs together exchanges momentum and other water doe
   // The step's last velocities are twice the mean less the first.
   std::vector<double> last = tamed;
   for (std::size_t k = 0; k < last.size(); ++k) last[k] = 2 * tamed[k] - wild[k];
-  check.that("no-return", "Both velocities converge to a common value over a long time.",
+  check.that("no-return", "Over a long time both velocities converge to one value.",
              "difference of the last velocities over that of the first",
              {(last[inner + 1] - last[inner]) / (wild[inner + 1] - wild[inner])},
              Bound{0.05, "1/(1 + 2 x), x some tens, is positive and small", 0.05});
