@@ -191,8 +191,7 @@ void claim_equal_cost(const Claims<Results>& claims) {
       .check(
           "energy-at-equal-cost",
           "The change of energy until a developed jet with density diffusion and particle shifting is below half of "
-          "the "
-          "change with artificial viscosity at the same processor time.",
+          "the change with artificial viscosity at the same processor time.",
           "change of energy over that with artificial viscosity",
           [](const Results& r) {
             const auto change = [&](std::size_t variant) {

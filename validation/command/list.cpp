@@ -238,7 +238,7 @@ std::string text_of(const evidence::Amount& amount) {
   if (amount.stated()) {
     return fmt::format("{:g}{}", amount.value(), amount.capped() ? fmt::format(" (at most {:g})", amount.cap()) : "");
   }
-  return fmt::format("determined by the run, at most {:g}", amount.cap());
+  return fmt::format("at most {:g} (set by the run)", amount.cap());
 }
 
 /// The criterion in one line, with what it states beforehand.

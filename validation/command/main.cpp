@@ -162,14 +162,12 @@ void add_exact(CLI::App& app, Action& action) {
       ->add_option(
           "--write", options->write,
           "Write initial conditions for another solver into the folder --out [.]. openfoam: alpha.water.internalField "
-          "and "
-          "U.internalField, to be included in 0/alpha.water and 0/U; needs --centres, and --at t=... unless t = 0. "
+          "and U.internalField, to be included in 0/alpha.water and 0/U; needs --centres, and --at t=... unless t = 0. "
           "geoclaw: topo.xyz, eta.xyz for qinit_type 4, hu.xyz, and hv.xyz if the solution depends on y (topotype 1), "
-          "on "
-          "--grid. dualsphysics: paddle.csv, time;position of a piston started from rest, for mvrectfile with fields "
-          "2, "
-          "fieldtime 0, fieldx 1; of solitary, solitary_asymptotic and wavemaker, whose stroke grows over the first "
-          "period; times from 0, as --grid t=0:20:2001. vtk: legacy structured grid, on --grid. csv: on --grid")
+          "on --grid. dualsphysics: paddle.csv, time;position of a piston started from rest, for mvrectfile with "
+          "fields 2, fieldtime 0, fieldx 1; of solitary, solitary_asymptotic and wavemaker, whose stroke grows over "
+          "the first period; times from 0, as --grid t=0:20:2001. vtk: legacy structured grid, on --grid. csv: on "
+          "--grid")
       ->check(CLI::IsMember(input_formats()))
       ->excludes(format);
   command->add_option("--centres", options->centres,

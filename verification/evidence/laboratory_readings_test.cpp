@@ -320,8 +320,7 @@ TEST_CASE("records that are right pass and records that are wrong do not, in eve
        "such an uncertainty hides a factor of 1.2: inconclusive at best");
   none("vaguer",
        "The measured records times 0.7 and 1.3 in turn with a stated uncertainty of 30 % of the range neither pass nor "
-       "give "
-       "an error.",
+       "give an error.",
        vaguer, "uncertainties of many readings do not cancel unless they are known to be independent");
   const auto of_column = [](const std::string& column, double factor) {
     return [=](SubmittedGroup& group) {
@@ -338,8 +337,7 @@ TEST_CASE("records that are right pass and records that are wrong do not, in eve
   }
   none("alone",
        "Run-ups of a composite beach and an island, and the front of a gated dam break on its fitted clock, times 0.8 "
-       "and "
-       "1.2 beside right records do not pass.",
+       "and 1.2 beside right records do not pass.",
        alone, "the front is known to 1 %, the run-ups to 6 %");
 }
 
