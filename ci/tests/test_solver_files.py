@@ -190,6 +190,7 @@ class SolverFiles(Scoring):
         for wrong, *said in ((head.replace("F=POINT", "DATAPACKING=BLOCK") + rows, "line 4", "POINT form"),
                              (head.replace("F=POINT", "ZONETYPE=FEQUAD") + rows, "line 4", "POINT form"),
                              (zones.replace("solutiontime", "strandid"), "a second zone", "SOLUTIONTIME"),
+                             ("strandid".join(zones.rsplit("solutiontime", 1)), "a second zone", "SOLUTIONTIME"),
                              (head.replace('"u, m/s"', "") + rows, "line 5", "3 columns")):
             self.refused(self.score("solitary_wave", "--data", self.write(wrong, "w.dat"), "--table", "surface"), *said)
 
