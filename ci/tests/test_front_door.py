@@ -375,7 +375,7 @@ class Readme(unittest.TestCase):
 
     def help_examples(self):
         for command in ("run", "score", "exact"):
-            said = self.place.run(SEICHE, command, "--help").stdout
+            said = self.place.run(SEICHE, "help", command).stdout
             examples = re.findall(r"^ +(seiche .*?)(?: +# .*)?$", said.partition("Example")[2], re.M)
             self.assertTrue(examples, said)
             yield examples

@@ -350,12 +350,14 @@ int parse_and_call(int argc, char** argv) {
       "Exit status: 0 all claims as expected; 1 at least one unexpected result;\n"
       "2 invalid input or usage; 3 run not completed (diverged, disk full, killed).");
 
-  // Words that others use for options: seiche help, seiche version.
+  // Words that others use for options: seiche help, seiche help run, seiche version.
   for (const char* word : {"help", "version"}) {
-    if (argc == 2 && argv[1] == std::string_view(word)) {
-      const std::string option = std::string("--") + word;
-      const std::array<const char*, 2> words{argv[0], option.c_str()};
-      return parse_and_call(2, const_cast<char**>(words.data()));
+    if (argc > 1 && argv[1] == std::string_view(word)) {
+      std::string option = std::string("--") + word;
+      std::vector<char*> words(argv, argv + argc);
+      words.erase(words.begin() + 1);
+      words.push_back(option.data());
+      return parse_and_call(argc, words.data());
     }
   }
   Action action;

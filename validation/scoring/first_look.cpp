@@ -147,8 +147,26 @@ std::string whose_line(const JudgedClaim& claim, bool all, bool exact, const std
   return "your resolution's: the error is within the numerical error that your sizes show";
 }
 
+/// That records of a measurement are coarser than the measured ones, so that crests between their points are not seen.
+std::string coarse_line(const std::vector<WantedTable>& wanted, const Submitted& submitted) {
+  constexpr double enough = 0.75;
+  for (const WantedTable& table : wanted) {
+    const auto found = submitted.find(table.name);
+    if (found == submitted.end() || !table.abscissa || table.reference_role == evidence::Role::exact) continue;
+    for (const SubmittedGroup& group : found->second) {
+      const std::vector<double> x = table.points(group.value);
+      const auto within = [&](double at) { return at >= x.front() && at <= x.back(); };
+      const long given = std::ranges::count_if(group.abscissa, within);
+      if (static_cast<double>(given) >= enough * static_cast<double>(x.size())) continue;
+      return fmt::format("submit {} at the points of the template: {} points where {} were measured miss crests",
+                         table.name, given, x.size());
+    }
+  }
+  return "";
+}
+
 std::string next_line(const evidence::Record& record, const JudgedClaim& claim, const std::vector<Finding>& findings,
-                      const std::optional<Ladder>& ladder, bool all, bool exact) {
+                      const std::optional<Ladder>& ladder, bool all, bool exact, const std::string& coarse) {
   const evidence::Judgement& j = claim.judgement;
   if (j.verdict == Verdict::pass && all) {
     return ladder ? "none, all claims are met"
@@ -160,6 +178,7 @@ std::string next_line(const evidence::Record& record, const JudgedClaim& claim, 
       return fmt::format("submit the rest: {} ({})", one.claim.id, one.judgement.resolution);
     }
   }
+  if (j.verdict != Verdict::pass && !coarse.empty()) return coarse;
   if (!findings.empty()) return fmt::format("check the file: {} {}", findings.front().where, findings.front().words);
   if (is_comparison(claim) && !j.uncertainty && j.verdict == Verdict::inconclusive) {
     return fmt::format(
@@ -252,7 +271,8 @@ FirstLook first_look(const std::vector<WantedTable>& wanted, const Submitted& su
     });
     const bool all = all_right(record, findings, ladder);
     look.emplace_back("likely cause", whose_line(*claim, all, exact, ladder));
-    look.emplace_back("next step", next_line(record, *claim, findings, ladder, all, exact));
+    look.emplace_back("next step",
+                      next_line(record, *claim, findings, ladder, all, exact, coarse_line(wanted, submitted)));
   }
   return look;
 }

@@ -115,6 +115,16 @@ TEST_CASE("the first screen says where an error is, of what kind, whose it is an
   says("The summary states that refinement does not remove the model's error.",
        answer(high, "next step", evidence::Role::exact, ladder_of_errors(0.001, 0.2)),
        "refinement will not remove this error");
+  const std::vector<WantedTable> tables = wanted(evidence::Role::data);
+  Submitted coarse{{"wave", {{.value = 0, .values = {{"eta", {}}}}}}};
+  for (std::size_t k = 0; k < places().size(); k += 3) {
+    coarse["wave"].front().abscissa.push_back(places()[k]);
+    coarse["wave"].front().values["eta"].push_back(1.5 * std::sin(places()[k]));
+  }
+  evidence::Record record;
+  score(tables, coarse, {}, record);
+  says("The next step for records coarser than the measured ones is finer records.",
+       first_look(tables, coarse, record, {}, {}).back().second, "submit wave at the points of the template");
   evidence::Record measured;
   measured.check({"agreement", "The wave agrees with the measurement.", "height", "m", "this test"},
                  {.value = 0.5, .uncertainty = 0.01},
