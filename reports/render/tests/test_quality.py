@@ -3,11 +3,12 @@ import math
 import pathlib
 import re
 import tempfile
+import types
 import unittest
 
 from made import Whole, body, record
 
-from render import coverage, experiments, marks, mutants, pages, records, speed
+from render import coverage, experiments, marks, mutants, pages, records, report, speed
 
 LINES = """file,lines,ran
 solver/seiche/exact/bore.cpp,100,95
@@ -77,12 +78,25 @@ class Quality(Whole):
         self.assertEqual(marks._ticks(-1, 1.5), [0.1, 1, 10])
 
     def test_facts_of_provenance_stand_the_most_frequent_first(self):
-        def of(commit, processor):
+        def of(**facts):
             one = record("c")
-            return records.Record("c.json", {**one, "provenance": {**one["provenance"], "commit": commit, "processor": processor}})
-        told = pages.facts([of("a" * 16, "slow"), of("b" * 16, "fast"), of("b" * 16, "fast")])
-        self.assertEqual([commit[:1] for commit in told["commit"]], ["b", "a"])
-        self.assertEqual([machine[:4] for machine in told["machine"]], ["fast", "slow"])
+            return records.Record("c.json", {**one, "provenance": {**one["provenance"], **facts}})
+        rare = dict(commit="a" * 16, processor="slow", system="rare", compiler="rare", flags="rare", build_type="rare",
+                    threads=9, version="9")
+        told = pages.facts([of(**rare), of(), of()])
+        usual = {"commit": "0", "machine": "a", "system": "L", "compiler": "g", "flags": "-", "build": "R", "threads": "1",
+                 "version": "1"}
+        self.assertEqual({name: told[name][0][0] for name in usual}, usual)
+        self.assertEqual({name: len(told[name]) for name in told if name not in ("first", "last")},
+                         {**dict.fromkeys(usual, 2), "libraries": 1})
+
+    def test_a_sheet_of_tests_goes_on_with_the_next_where_it_is_full(self):
+        made = [records.Record(f"{name}.json", record(name, kind="verification")) for name in "abc"]
+        parts = iter(("x" * 100, "x" * (report.SHEET - 100), "x"))
+        write = types.SimpleNamespace(part=lambda *_: next(parts))
+        sheets = report._sheets(records.cases(made), write, [])
+        self.assertEqual([one.sheet for one in made], ["", "", "-2"])
+        self.assertEqual([len(tests) for tests in sheets.values()], [2, 1])
 
     def test_mutants_are_counted_by_room_and_survivors_named(self):
         def row(seed, room, line, outcome, reason=""):
