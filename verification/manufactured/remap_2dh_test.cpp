@@ -3,7 +3,7 @@
 #include <numbers>
 #include <vector>
 
-#include "seiche/models/dispersive_shallow_water_2d/rezone.hpp"
+#include "seiche/models/dispersive_shallow_water_2d/remap.hpp"
 #include "verification/check.hpp"
 #include "verification/refinement.hpp"
 

@@ -1,4 +1,4 @@
-// The water and its momentum, brought to another lattice: see rezone.hpp.
+// The water and its momentum, brought to another lattice: see remap.hpp.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "seiche/geometry/bilinear_patch.hpp"
-#include "seiche/models/dispersive_shallow_water_2d/rezone.hpp"
+#include "seiche/models/dispersive_shallow_water_2d/remap.hpp"
 #include "seiche/plan_lattice/swept_remap.hpp"
 
 namespace seiche::dispersive_shallow_water_2d {

@@ -1,4 +1,4 @@
-#include "seiche/models/dispersive_shallow_water_2d/rezone.hpp"
+#include "validation/instruments/plan/rezoned_flow.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,11 +9,23 @@
 #include <fmt/format.h>
 
 #include "seiche/mechanics/state.hpp"
+#include "seiche/models/dispersive_shallow_water_2d/remap.hpp"
 #include "seiche/plan_lattice/swept_remap.hpp"
 #include "seiche/require.hpp"
 #include "seiche/require_that.hpp"
 
-namespace seiche::dispersive_shallow_water_2d {
+namespace seiche::validation {
+
+using dispersive_shallow_water_2d::Flow;
+using dispersive_shallow_water_2d::Forcing;
+using dispersive_shallow_water_2d::InitialVelocity;
+using dispersive_shallow_water_2d::Lattice;
+using dispersive_shallow_water_2d::Model;
+using dispersive_shallow_water_2d::Remapped;
+using dispersive_shallow_water_2d::Settings;
+using mechanics::Input;
+using mechanics::Scheme;
+using plan_lattice::Window;
 
 namespace {
 
@@ -231,4 +243,4 @@ void RezonedFlow::rezone(const ShoreFollowing::Places& places) {
   flow_ = std::move(flow);
 }
 
-}  // namespace seiche::dispersive_shallow_water_2d
+}  // namespace seiche::validation
