@@ -10,7 +10,7 @@
 /// @f[ \frac{r_{i-2} - 4 r_{i-1} + 6 r_i - 4 r_{i+1} + r_{i+2}}{16}, @f]
 ///
 /// is taken away: by it the edge of the water crumples where it piles up. Along its column no cell gets narrower than
-/// `narrowest` of what it was: rows that come too near to each other are put farther out.
+/// a quarter of what it was: rows that come too near to each other are put farther out.
 ///
 /// Water that runs down leaves a film behind, which is thinner the longer it gets, until columns fall dry. Where the
 /// depth over the width of the cells from the shoreline to a row is less than `edge_slope`, the nodes within are drawn
@@ -24,38 +24,26 @@
 /// As soon as a node is farther from its place than `drift` of its cells, all are put there. Where that is
 /// not possible the lattice goes on as it is. A lake at rest is left alone.
 ///
-/// Steps in which an edge of a cell would change by more than `strain` are divided, by eight at most. One that cannot
+/// Steps in which an edge of a cell would change by more than 0.3 are divided, by eight at most. One that cannot
 /// be made is made in halves, of a lattice that is rezoned before.
 ///
 /// Reference: C. W. Hirt, A. A. Amsden, J. L. Cook, J. Comput. Phys. 14 (1974) 227.
 #pragma once
 
-#include <array>
 #include <memory>
 #include <vector>
 
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
 #include "seiche/plan_lattice/swept_remap.hpp"
-#include "seiche/ranges.hpp"
 
 namespace seiche::validation {
 
 struct RezoneSettings {
-  double drift = 0.2;       ///< of a cell
-  double narrowest = 0.25;  ///< below 1; 0: as it comes
+  double drift = 0.2;  ///< of a cell
   /// A film of 8 mm may be 0.1 m long; 0: as thin as it gets. The highest run-up on a slope of 1:4 has 2 % less of it
   /// than with 0.01, of which films are so thin that lattices tangle when bores run over them.
   double edge_slope = 0.08;
-  double strain = 0.3;     ///< of an edge, in a step
   double shore_slope = 2;  ///< of the shoreline against its columns, in plan; 0: as it comes
-
-  static constexpr auto ranges() {
-    return std::array{Number{"drift", &RezoneSettings::drift, Range::within(1e-6, 2)},
-                      Number{"narrowest", &RezoneSettings::narrowest, Range::within(0, 0.99)},
-                      Number{"edge_slope", &RezoneSettings::edge_slope, Range::not_negative()},
-                      Number{"shore_slope", &RezoneSettings::shore_slope, Range::not_negative()},
-                      Number{"strain", &RezoneSettings::strain, Range::within(1e-6, 1)}};
-  }
 };
 
 /// Places of the nodes of a lattice that follows the shoreline on its south side.
@@ -63,8 +51,7 @@ class ShoreFollowing {
  public:
   using Places = plan_lattice::RezonedPlaces;
 
-  /// Throws std::invalid_argument for a lattice without a shoreline on its south side, and for settings outside of
-  /// their ranges: drift (0, 2], narrowest [0, 1), edge_slope and shore_slope not negative, strain (0, 1].
+  /// @param first  with a shoreline on its south side
   explicit ShoreFollowing(const dispersive_shallow_water_2d::Lattice& first, RezoneSettings settings = {});
   /// For a flow whose nodes are at q.
   /// @param volumes  of the cells
@@ -89,7 +76,7 @@ class ShoreFollowing {
 
 class RezonedFlow {
  public:
-  /// As Flow, without what moves or drives sides. Throws std::invalid_argument too for settings as ShoreFollowing.
+  /// As Flow, without what moves or drives sides.
   RezonedFlow(dispersive_shallow_water_2d::Lattice lattice,
               const dispersive_shallow_water_2d::InitialVelocity& velocity, mechanics::Scheme scheme,
               dispersive_shallow_water_2d::Settings settings, RezoneSettings rezone);
