@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "seiche/mechanics/state.hpp"
-#include "seiche/models/dispersive_shallow_water_2d/remap.hpp"
+#include "validation/instruments/plan/plan_remap.hpp"
 
 namespace seiche::validation {
 

@@ -32,12 +32,12 @@
 
 #include "seiche/models/dispersive_shallow_water_2d/model.hpp"
 
-namespace seiche::dispersive_shallow_water_2d {
+namespace seiche::validation {
 
 /// A lattice and what its nodes carry.
 struct Remapped {
-  Lattice lattice;
-  std::vector<Velocity> velocity;
+  dispersive_shallow_water_2d::Lattice lattice;
+  std::vector<dispersive_shallow_water_2d::Velocity> velocity;
   double displaced = 0;  ///< water elsewhere than it was swept [m^3]
 };
 
@@ -45,6 +45,7 @@ struct Remapped {
 /// @param x, y         the new places in plan, each within a few cells of the old one: of nodes on sides on them, of
 ///                     those on a shoreline near it
 /// Throws mechanics::Infeasible where that is not so, where a cell would tangle and where a column would have no water.
-Remapped remap(const Model& model, Input q, Input u, std::vector<double> x, std::vector<double> y);
+Remapped remap(const dispersive_shallow_water_2d::Model& model, mechanics::Input q, mechanics::Input u,
+               std::vector<double> x, std::vector<double> y);
 
-}  // namespace seiche::dispersive_shallow_water_2d
+}  // namespace seiche::validation
