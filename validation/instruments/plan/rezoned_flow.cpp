@@ -146,7 +146,8 @@ RezonedFlow::RezonedFlow(Lattice lattice, const dispersive_shallow_water_2d::Ini
     : following_(lattice, rezone),
       scheme_(scheme),
       settings_(rezone),
-      flow_(std::make_unique<Flow>(std::move(lattice), velocity, scheme, std::move(settings), Forcing{}, {}, false)) {}
+      flow_(std::make_unique<Flow>(std::move(lattice), velocity, scheme, std::move(settings),
+                                   dispersive_shallow_water_2d::Forcing{}, plan_lattice::Window{}, false)) {}
 
 std::vector<Invariant> RezonedFlow::invariants() const {
   std::vector<Invariant> all = flow_->invariants();
@@ -208,8 +209,8 @@ void RezonedFlow::rezone(const ShoreFollowing::Places& places) {
   const auto& model = flow_->model();
   const mechanics::State& state = flow_->state();
   auto now = remap(model, state.q, state.u, places.x, places.y);
-  auto flow =
-      std::make_unique<Flow>(std::move(now.lattice), std::move(now.velocity), scheme_, model.settings(), {}, {}, false);
+  auto flow = std::make_unique<Flow>(std::move(now.lattice), std::move(now.velocity), scheme_, model.settings(),
+                                     dispersive_shallow_water_2d::Forcing{}, plan_lattice::Window{}, false);
   flow->continue_breaking(*flow_);
   // Of both lattices the potential counts from the first one's shoreline: its ways do not meet the bottom's moment.
   const mechanics::State& next = flow->state();
