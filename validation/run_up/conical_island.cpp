@@ -48,7 +48,6 @@ namespace seiche::validation::cases::conical_island {
 namespace {
 
 using dispersive_shallow_water_2d::Flow;
-using dispersive_shallow_water_2d::RezonedFlow;
 
 const std::string source = "Briggs, Synolakis, Harkins and Green (1995)";
 constexpr double depth = 0.32;       // [m]

@@ -13,14 +13,15 @@
 
 #include "seiche/compensated_sum.hpp"
 #include "seiche/divergence.hpp"
-#include "seiche/models/dispersive_shallow_water_2d/rezone.hpp"
 #include "seiche/samples.hpp"
 #include "validation/instruments/plan/island_flow.hpp"
+#include "validation/instruments/plan/plan_remap.hpp"
 #include "verification/check.hpp"
 
 namespace seiche::verification::remap_2dh_test {
 
 using namespace dispersive_shallow_water_2d;
+using validation::remap, validation::Remapped, validation::RezonedFlow, validation::ShoreFollowing;
 
 const std::string source = "L. G. Margolin, M. Shashkov, J. Comput. Phys. 184 (2003) 266";
 constexpr double size = 4;  // [m], of the box
@@ -105,7 +106,7 @@ TEST_CASE("a remap of the 2DH model keeps water and momentum and lets no column 
   Check check("remap_thin_2dh", "Remap of the two-dimensional horizontal model: rough and thin water",
               "16 x 16 cells over a level bottom, columns between 6 cm and 1 m deep at random, velocities of 1 m/s at "
               "random; nodes move by up to a third of a cell.",
-              "seiche/models/dispersive_shallow_water_2d/rezone.hpp");
+              "validation/instruments/plan/plan_remap.hpp");
   Lattice rough = box();
   std::mt19937 random(3);
   std::uniform_real_distribution<double> number(-1, 1);
@@ -143,7 +144,7 @@ TEST_CASE("a lattice that follows the shore draws films back and keeps its width
   Check check("rezone_film_2dh", "Places of the nodes next to a shoreline",
               "Still water around the conical island, columns 0.5 m apart; its shoreline is moved up the island, or "
               "its second row towards the shoreline.",
-              "seiche/models/dispersive_shallow_water_2d/rezone.hpp");
+              "validation/instruments/plan/plan_remap.hpp");
   const validation::ConicalIsland island({.spacing = 0.5});
   Lattice lake = island.lattice();
   const std::size_t count = lake.shape.columns + 1;
@@ -277,13 +278,13 @@ TEST_CASE("a lattice that follows the shore draws films back and keeps its width
   }
   check.that("widths", "The narrowest cell after rows were put apart has the least width of the settings, to 1e-9.",
              "narrowest cell along its column, over what it was at the beginning", {least.value()},
-             Bound{1e-9, "a quarter, to rounding", RezoneSettings{}.narrowest});
+             Bound{1e-9, "a quarter, to rounding", 0.25});
 }
 
 TEST_CASE("a wave that breaks on an island leaves its lattice whole", "[conservation]") {
   Check check("rezone_breaking_2dh", "The highest wave around the conical island",
               "Case C, columns 0.7 m apart, until the water behind the island has run up and down.",
-              "seiche/models/dispersive_shallow_water_2d/rezone.hpp");
+              "validation/instruments/plan/plan_remap.hpp");
   const validation::ConicalIsland island({.height = 0.181, .spacing = 0.7});
   RezonedFlow flow = island.rezoned_flow();
   const double water = sum(flow.flow().model().first_volumes());
@@ -311,7 +312,7 @@ TEST_CASE("fronts break on while their lattice is rezoned", "[conservation]") {
   Check check("rezone_fronts_2dh", "Breaking fronts on a lattice that is rezoned",
               "Case C of the conical island, columns 1 m apart, until the crest would be 2 s beyond the middle of the "
               "island; the lattice is rezoned before every step.",
-              "seiche/models/dispersive_shallow_water_2d/rezone.hpp");
+              "validation/instruments/plan/plan_remap.hpp");
   const validation::ConicalIsland island({.height = 0.181, .spacing = 1});
   RezonedFlow flow(island.lattice(), [&](double x, double y) { return island.velocity(x, y); }, {},
                    island.model_settings(), {.drift = 1e-6});

@@ -3,13 +3,14 @@
 #include <numbers>
 #include <vector>
 
-#include "seiche/models/dispersive_shallow_water_2d/rezone.hpp"
+#include "validation/instruments/plan/plan_remap.hpp"
 #include "verification/check.hpp"
 #include "verification/refinement.hpp"
 
 namespace seiche::verification::remap_2dh_test {
 
 using namespace dispersive_shallow_water_2d;
+using validation::remap, validation::Remapped;
 
 constexpr double size = std::numbers::pi;
 

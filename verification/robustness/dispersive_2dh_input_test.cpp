@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
-#include "seiche/models/dispersive_shallow_water_2d/rezone.hpp"
 #include "verification/polynomial_bottom.hpp"
 #include "verification/robustness/refusals.hpp"
 
@@ -105,11 +104,6 @@ TEST_CASE("bad lattices and settings of the 2DH model are refused with name, val
   refusals.refused({"moving window", "shoreline"}, [&] {
     Flow flow(rectangular_lattice(beach), {}, {}, {}, {}, {.reach = [](double t) { return t; }});
   });
-  refusals.outside_ranges("RezoneSettings",
-                          "drift in [1e-06, 2]; narrowest in [0, 0.99]; edge_slope non-negative and finite; "
-                          "shore_slope non-negative and finite; strain in [1e-06, 1]",
-                          RezoneSettings{},
-                          [&](const RezoneSettings& s) { ShoreFollowing(rectangular_lattice(beach), s); });
   refusals.refused({"moving window", "absorption"}, [] {
     Flow flow(rectangular_lattice(still_water()), {}, {}, {.drag = {.absorption = [](Point) { return 1.0; }}}, {},
               {.reach = [](double t) { return t; }});

@@ -117,7 +117,7 @@ Flow ConicalIsland::flow() const {
       false);
 }
 
-dispersive_shallow_water_2d::RezonedFlow ConicalIsland::rezoned_flow() const {
+RezonedFlow ConicalIsland::rezoned_flow() const {
   return {lattice(), [this](double x, double y) { return velocity(x, y); }, settings_.scheme, model_settings(), {}};
 }
 

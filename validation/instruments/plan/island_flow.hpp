@@ -18,8 +18,8 @@
 #include "seiche/exact/model_waves.hpp"
 #include "seiche/geometry/plan_bottom.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
-#include "seiche/models/dispersive_shallow_water_2d/rezone.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/plan/rezoned_flow.hpp"
 
 namespace seiche::validation {
 
@@ -53,7 +53,7 @@ class ConicalIsland {
   [[nodiscard]] const exact::SerreSolitary& wave() const { return wave_; }
   [[nodiscard]] dispersive_shallow_water_2d::Flow flow() const;
   /// The same on a lattice that is rezoned: the wave passes the island where the other tangles.
-  [[nodiscard]] dispersive_shallow_water_2d::RezonedFlow rezoned_flow() const;
+  [[nodiscard]] RezonedFlow rezoned_flow() const;
   /// What the flows are made of.
   [[nodiscard]] dispersive_shallow_water_2d::Lattice lattice() const;
   [[nodiscard]] dispersive_shallow_water_2d::Velocity velocity(double x, double y) const;

@@ -8,12 +8,12 @@
 #include <fmt/format.h>
 
 #include "seiche/models/shallow_water_finite_volume/finite_volume_flow.hpp"
-#include "seiche/models/shallow_water_particles/as_written.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 #include "seiche/models/shallow_water_particles/particles.hpp"
 #include "seiche/require.hpp"
 #include "seiche/samples.hpp"
 #include "validation/instruments/each.hpp"
+#include "validation/instruments/particles/as_written.hpp"
 #include "validation/instruments/processor_time.hpp"
 
 namespace seiche::validation {
@@ -129,7 +129,7 @@ class AsWrittenRun : public Flow {
     return sum;
   }
 
-  particles::AsWritten flow_;
+  AsWritten flow_;
   double initial_mass_ = mass();
   Largest max_courant_;
 };

@@ -180,19 +180,16 @@ void hand_over(double gravity, const InteriorJump& jump, double mass, double tau
                double& edge_thrust) {
   const double by_volume = (1 - jump.behind_by_volume) * mass / jump.mass_flux;
   const double by_momentum = (1 - jump.behind_by_momentum) * mass / jump.mass_flux;
+  // Of a value that another one takes the place of once the jump has passed.
+  const auto average = [tau](double passes, double ahead, double behind, double& value) {
+    if (passes < tau) value = (ahead * passes + behind * (tau - passes)) / tau;
+  };
   if (jump.leaves_through_wall) {
     // The wall keeps its velocity; behind the reflected jump the pressure is that of the reflected state.
-    if (by_momentum < tau) {
-      edge_thrust = (thrust(gravity, jump.ahead.depth) * by_momentum +
-                     thrust(gravity, jump.reflected.depth) * (tau - by_momentum)) /
-                    tau;
-    }
-    return;
+    return average(by_momentum, thrust(gravity, jump.ahead.depth), thrust(gravity, jump.reflected.depth), edge_thrust);
   }
-  if (by_volume < tau) velocity = (velocity * by_volume + jump.behind.velocity * (tau - by_volume)) / tau;
-  if (by_momentum < tau) {
-    edge_thrust = (edge_thrust * by_momentum + thrust(gravity, jump.behind.depth) * (tau - by_momentum)) / tau;
-  }
+  average(by_volume, velocity, jump.behind.velocity, velocity);
+  average(by_momentum, edge_thrust, thrust(gravity, jump.behind.depth), edge_thrust);
 }
 
 }  // namespace seiche::shallow_water_particles

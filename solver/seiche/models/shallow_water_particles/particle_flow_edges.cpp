@@ -320,9 +320,7 @@ void ParticleFlow::regulate(Side s) {
   if (s.right) return;
   // What lies to the right of the left end has other numbers now; a collision at the end itself is given up.
   const bool more = width >= 2 * target;
-  collisions_.erase(
-      std::remove_if(collisions_.begin(), collisions_.end(), [](const Collision& c) { return c.left_particle() < 2; }),
-      collisions_.end());
+  std::erase_if(collisions_, [](const Collision& c) { return c.left_particle() < 2; });
   for (Collision& collision : collisions_) collision.renumber(more);
 }
 

@@ -15,8 +15,7 @@ constexpr std::size_t searched_together = 64;  // particles: most blocks hold no
 
 const Structure* ParticleFlow::structure_at(std::size_t i) const {
   if (structures_.empty()) return nullptr;
-  const auto found = std::lower_bound(structures_.begin(), structures_.end(), i,
-                                      [](const Structure& s, std::size_t v) { return s.particle < v; });
+  const auto found = std::ranges::lower_bound(structures_, i, {}, &Structure::particle);
   return found != structures_.end() && found->particle == i ? &*found : nullptr;
 }
 
@@ -27,15 +26,13 @@ void ParticleFlow::detect_jumps() {
 
   const std::size_t count = now_.size();
   // A collision is over when three particles with the state between lie between its jumps; it is given up near an end.
-  collisions_.erase(std::remove_if(collisions_.begin(), collisions_.end(),
-                                   [&](const Collision& c) {
-                                     const bool apart = c.met() && c.right_particle() >= c.left_particle() + 3;
-                                     return apart || c.left_particle() < 2 || c.right_particle() + 3 > count;
-                                   }),
-                    collisions_.end());
+  std::erase_if(collisions_, [&](const Collision& c) {
+    const bool apart = c.met() && c.right_particle() >= c.left_particle() + 3;
+    return apart || c.left_particle() < 2 || c.right_particle() + 3 > count;
+  });
   const auto followed = [&](std::size_t i) {
-    return std::any_of(collisions_.begin(), collisions_.end(),
-                       [&](const Collision& c) { return i + 1 >= c.left_particle() && i <= c.right_particle() + 1; });
+    return std::ranges::any_of(
+        collisions_, [&](const Collision& c) { return i + 1 >= c.left_particle() && i <= c.right_particle() + 1; });
   };
 
   const auto difference = [&](std::size_t a, std::size_t b) { return std::abs(depth_[a] - depth_[b]); };
@@ -140,8 +137,7 @@ void ParticleFlow::discard_adjacent() {
     }
     ++events_.adjacent_discarded;
   }
-  std::sort(jumps_.begin(), jumps_.end(),
-            [](const InteriorJump& a, const InteriorJump& b) { return a.particle < b.particle; });
+  std::ranges::sort(jumps_, {}, &InteriorJump::particle);
 }
 
 void ParticleFlow::start_collisions() {
@@ -172,8 +168,7 @@ void ParticleFlow::list_structures() {
       structures_.push_back(c.structure(i, now_.mass));
     }
   }
-  std::sort(structures_.begin(), structures_.end(),
-            [](const Structure& a, const Structure& b) { return a.particle < b.particle; });
+  std::ranges::sort(structures_, {}, &Structure::particle);
 }
 
 }  // namespace seiche::shallow_water_particles

@@ -158,9 +158,6 @@ std::vector<double> Surface::handed_on(Places at, std::span<const double> cx, st
 
 namespace {
 
-using free_lagrangian::Held;
-using free_lagrangian::Mesh;
-
 /// Height of the highest corner between walls; of the lowest node where there is none.
 double foot_of(const Mesh& mesh) {
   Largest corner;

@@ -1,19 +1,17 @@
-#include "seiche/models/dispersive_shallow_water_2d/rezone.hpp"
+#include "validation/instruments/plan/rezoned_flow.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <utility>
-#include <variant>
-
-#include <fmt/format.h>
 
 #include "seiche/mechanics/state.hpp"
-#include "seiche/plan_lattice/swept_remap.hpp"
-#include "seiche/require.hpp"
-#include "seiche/require_that.hpp"
+#include "validation/instruments/plan/plan_remap.hpp"
 
-namespace seiche::dispersive_shallow_water_2d {
+namespace seiche::validation {
+
+using dispersive_shallow_water_2d::Flow, dispersive_shallow_water_2d::Lattice;
+using mechanics::Input;
 
 namespace {
 
@@ -30,17 +28,15 @@ std::vector<double> pattern(const std::vector<double>& values) {
   return part;
 }
 
-constexpr int most_parts = 8;     // of a step, by its strain
-constexpr int most_halvings = 5;  // of one that fails
+constexpr double narrowest = 0.25;  // cell along its column, of what it was
+constexpr double strain = 0.3;      // of an edge, in a step
+constexpr int most_parts = 8;       // of a step, by its strain
+constexpr int most_halvings = 5;    // of one that fails
 
 }  // namespace
 
 ShoreFollowing::ShoreFollowing(const Lattice& first, RezoneSettings settings)
     : shape_(first.shape), settings_(settings) {
-  require_ranges(settings);
-  require_that(std::holds_alternative<plan_lattice::ShoreSide>(first.sides.south),
-               "a lattice without a shoreline on its south side; allowed: one with it");
-  require_at_least("columns", static_cast<long>(shape_.columns), 3);
   for (std::size_t k = 0; k < shape_.nodes(); ++k) first_.push_back({first.x[k], first.y[k]});
   for (std::size_t i = 0; i <= shape_.columns; ++i) {
     const double length = distance(first_[i], outer(i));
@@ -138,21 +134,20 @@ void ShoreFollowing::keep_widths(Places& places) const {
       const std::size_t k = shape_.node(i, j);
       const std::size_t inner = shape_.node(i, j - 1);
       const double width = dot(places[k] - places[inner], line_[i]);
-      const double lacking = settings_.narrowest * distance(first_[inner], first_[k]) - width;
+      const double lacking = narrowest * distance(first_[inner], first_[k]) - width;
       if (lacking > 0) places.put(k, places[k] + lacking * line_[i]);
     }
   }
 }
 
-RezonedFlow::RezonedFlow(Lattice lattice, const InitialVelocity& velocity, Scheme scheme, Settings settings,
+RezonedFlow::RezonedFlow(Lattice lattice, const dispersive_shallow_water_2d::InitialVelocity& velocity,
+                         mechanics::Scheme scheme, dispersive_shallow_water_2d::Settings settings,
                          RezoneSettings rezone)
     : following_(lattice, rezone),
       scheme_(scheme),
       settings_(rezone),
-      flow_(std::make_unique<Flow>(std::move(lattice), velocity, scheme, std::move(settings), Forcing{}, Window{},
-                                   false)) {
-  require_that(!flow_->model().has_driven_sides(), "a rezoned lattice with driven sides");
-}
+      flow_(std::make_unique<Flow>(std::move(lattice), velocity, scheme, std::move(settings),
+                                   dispersive_shallow_water_2d::Forcing{}, plan_lattice::Window{}, false)) {}
 
 std::vector<Invariant> RezonedFlow::invariants() const {
   std::vector<Invariant> all = flow_->invariants();
@@ -164,7 +159,7 @@ std::vector<Invariant> RezonedFlow::invariants() const {
 
 void RezonedFlow::advance(double tau) {
   mechanics::require_step(tau);
-  const double strained = std::ceil(rate_of_strain() * tau / settings_.strain);
+  const double strained = std::ceil(rate_of_strain() * tau / strain);
   double step = tau / std::clamp(strained, 1.0, static_cast<double>(most_parts));
   double left = tau;
   bool failed = false;
@@ -211,11 +206,11 @@ void RezonedFlow::follow(bool anyway) {
 }
 
 void RezonedFlow::rezone(const ShoreFollowing::Places& places) {
-  const Model& model = flow_->model();
+  const auto& model = flow_->model();
   const mechanics::State& state = flow_->state();
-  Remapped now = remap(model, state.q, state.u, places.x, places.y);
+  auto now = remap(model, state.q, state.u, places.x, places.y);
   auto flow = std::make_unique<Flow>(std::move(now.lattice), std::move(now.velocity), scheme_, model.settings(),
-                                     Forcing{}, Window{}, false);
+                                     dispersive_shallow_water_2d::Forcing{}, plan_lattice::Window{}, false);
   flow->continue_breaking(*flow_);
   // Of both lattices the potential counts from the first one's shoreline: its ways do not meet the bottom's moment.
   const mechanics::State& next = flow->state();
@@ -231,4 +226,4 @@ void RezonedFlow::rezone(const ShoreFollowing::Places& places) {
   flow_ = std::move(flow);
 }
 
-}  // namespace seiche::dispersive_shallow_water_2d
+}  // namespace seiche::validation

@@ -10,7 +10,7 @@
 /// @f[ \frac{r_{i-2} - 4 r_{i-1} + 6 r_i - 4 r_{i+1} + r_{i+2}}{16}, @f]
 ///
 /// is taken away: by it the edge of the water crumples where it piles up. Along its column no cell gets narrower than
-/// `narrowest` of what it was: rows that come too near to each other are put farther out.
+/// a quarter of what it was: rows that come too near to each other are put farther out.
 ///
 /// Water that runs down leaves a film behind, which is thinner the longer it gets, until columns fall dry. Where the
 /// depth over the width of the cells from the shoreline to a row is less than `edge_slope`, the nodes within are drawn
@@ -24,82 +24,26 @@
 /// As soon as a node is farther from its place than `drift` of its cells, all are put there. Where that is
 /// not possible the lattice goes on as it is. A lake at rest is left alone.
 ///
-/// Steps in which an edge of a cell would change by more than `strain` are divided, by eight at most. One that cannot
+/// Steps in which an edge of a cell would change by more than 0.3 are divided, by eight at most. One that cannot
 /// be made is made in halves, of a lattice that is rezoned before.
 ///
 /// Reference: C. W. Hirt, A. A. Amsden, J. L. Cook, J. Comput. Phys. 14 (1974) 227.
 #pragma once
 
-#include <array>
-#include <functional>
 #include <memory>
 #include <vector>
 
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
-#include "seiche/models/dispersive_shallow_water_2d/model.hpp"
 #include "seiche/plan_lattice/swept_remap.hpp"
-#include "seiche/ranges.hpp"
 
-namespace seiche::dispersive_shallow_water_2d {
-
-/// Carries a flow of the plan model from its lattice to another one between the same sides.
-///
-/// Lagrangian columns shear and crumple; a rezoned lattice (rezone.hpp) stands at better places, and what the old one
-/// carries has to be put on it. Surface and velocities come from the old nodes (lattice_interpolant.hpp). What they
-/// conserve is carried through the quadrilaterals that the edges of the cells sweep on their way,
-///
-/// @f[ V_s^* = V_s + \sum_e \pm \int_e H \, dA, \qquad
-///     \mathbf{P}_s^* = \mathbf{P}_s + \sum_e \pm \int_e H \mathbf{u} \, dA, @f]
-///
-/// through walls and shorelines nothing. What the interpolated surface and velocities have too little of them in a
-/// cell, d_s, its corners get that are not on a shoreline,
-///
-/// @f[ \delta z_k = \sum_s w_{sk} d_s \Big/ \frac{\partial V}{\partial z_k}, \qquad
-///     \delta \mathbf{u}_k = \sum_s w_{sk} \mathbf{d}_s / m_k, \qquad \sum_k w_{sk} = 1. @f]
-///
-/// No column falls dry. A cell loses three quarters of its water at most: what the sweep would take more stays where it
-/// is. A column that should sink by more than its depth stops before, and its cell gets what it then has too much from
-/// the cells around it. Water that is so put elsewhere than it was swept takes its momentum along, and its
-/// amount is told.
-///
-/// Conserved to round-off: all water; horizontal momentum, where neither a wall nor a shoreline takes part and the
-/// bottom is level; a lattice that stays as it is; a stream of one velocity under a level surface over a level bottom.
-/// Smooth fields are carried to third order. Over a sheet of water that is thin for its cells the interpolated depth
-/// keeps within a factor of two of the bilinear one. Energy is not conserved: what is lost where velocities differ
-/// within a cell is the caller's to book.
-///
-/// References: C. W. Hirt, A. A. Amsden, J. L. Cook, J. Comput. Phys. 14 (1974) 227 (rezoned Lagrangian lattices);
-/// L. G. Margolin, M. Shashkov, J. Comput. Phys. 184 (2003) 266 (remap through swept regions).
-///
-/// A lattice and what its nodes carry.
-struct Remapped {
-  Lattice lattice;
-  std::vector<Velocity> velocity;
-  double displaced = 0;  ///< water elsewhere than it was swept [m^3]
-};
-
-/// @param model, q, u  where the flow is; its volumes are model.first_volumes()
-/// @param x, y         the new places in plan, each within a few cells of the old one: of nodes on sides on them, of
-///                     those on a shoreline near it
-/// Throws mechanics::Infeasible where that is not so, where a cell would tangle and where a column would have no water.
-Remapped remap(const Model& model, Input q, Input u, std::vector<double> x, std::vector<double> y);
+namespace seiche::validation {
 
 struct RezoneSettings {
-  double drift = 0.2;       ///< of a cell
-  double narrowest = 0.25;  ///< below 1; 0: as it comes
+  double drift = 0.2;  ///< of a cell
   /// A film of 8 mm may be 0.1 m long; 0: as thin as it gets. The highest run-up on a slope of 1:4 has 2 % less of it
   /// than with 0.01, of which films are so thin that lattices tangle when bores run over them.
   double edge_slope = 0.08;
-  double strain = 0.3;     ///< of an edge, in a step
   double shore_slope = 2;  ///< of the shoreline against its columns, in plan; 0: as it comes
-
-  static constexpr auto ranges() {
-    return std::array{Number{"drift", &RezoneSettings::drift, Range::within(1e-6, 2)},
-                      Number{"narrowest", &RezoneSettings::narrowest, Range::within(0, 0.99)},
-                      Number{"edge_slope", &RezoneSettings::edge_slope, Range::not_negative()},
-                      Number{"shore_slope", &RezoneSettings::shore_slope, Range::not_negative()},
-                      Number{"strain", &RezoneSettings::strain, Range::within(1e-6, 1)}};
-  }
 };
 
 /// Places of the nodes of a lattice that follows the shoreline on its south side.
@@ -107,23 +51,24 @@ class ShoreFollowing {
  public:
   using Places = plan_lattice::RezonedPlaces;
 
-  /// Throws std::invalid_argument for a lattice without a shoreline on its south side, and for settings outside of
-  /// their ranges: drift (0, 2], narrowest [0, 1), edge_slope and shore_slope not negative, strain (0, 1].
-  explicit ShoreFollowing(const Lattice& first, RezoneSettings settings = {});
+  /// @param first  with a shoreline on its south side
+  explicit ShoreFollowing(const dispersive_shallow_water_2d::Lattice& first, RezoneSettings settings = {});
   /// For a flow whose nodes are at q.
   /// @param volumes  of the cells
-  [[nodiscard]] Places places(Input q, Input volumes) const;
+  [[nodiscard]] Places places(mechanics::Input q, mechanics::Input volumes) const;
   /// Farthest of a node from its place, over the shortest edge at the node's place.
-  [[nodiscard]] double drift(Input q, const Places& places) const { return plan_lattice::farthest(shape_, q, places); }
+  [[nodiscard]] double drift(mechanics::Input q, const Places& places) const {
+    return plan_lattice::farthest(shape_, q, places);
+  }
 
  private:
   [[nodiscard]] Point outer(std::size_t column) const { return first_[shape_.node(column, shape_.rows)]; }
   void draw_back(std::size_t column, std::size_t row, double part, Places& places) const;
-  void draw_back_films(Input q, Input volumes, Places& places) const;
+  void draw_back_films(mechanics::Input q, mechanics::Input volumes, Places& places) const;
   void cut_tongues(Places& places) const;
   void keep_widths(Places& places) const;
 
-  Shape shape_;
+  plan_lattice::Shape shape_;
   RezoneSettings settings_;
   std::vector<Point> first_;  ///< places of all nodes
   std::vector<Point> line_;   ///< directions of the columns
@@ -131,9 +76,10 @@ class ShoreFollowing {
 
 class RezonedFlow {
  public:
-  /// As Flow, without what moves or drives sides. Throws std::invalid_argument too for settings as ShoreFollowing.
-  RezonedFlow(Lattice lattice, const InitialVelocity& velocity, Scheme scheme, Settings settings,
-              RezoneSettings rezone);
+  /// As Flow, without what moves or drives sides.
+  RezonedFlow(dispersive_shallow_water_2d::Lattice lattice,
+              const dispersive_shallow_water_2d::InitialVelocity& velocity, mechanics::Scheme scheme,
+              dispersive_shallow_water_2d::Settings settings, RezoneSettings rezone);
 
   /// A step of Flow, divided where it must be. Throws std::invalid_argument for tau; Divergence with the time since the
   /// beginning, and the flow is then as it was at that time.
@@ -141,7 +87,7 @@ class RezonedFlow {
   void arrive(double time) { begin_ += time - this->time(); }
 
   /// As it is now; its time counts from the last rezoning.
-  [[nodiscard]] const Flow& flow() const { return *flow_; }
+  [[nodiscard]] const dispersive_shallow_water_2d::Flow& flow() const { return *flow_; }
   [[nodiscard]] double time() const { return begin_ + flow_->time(); }
   [[nodiscard]] long steps() const { return steps_ + flow_->steps(); }
   [[nodiscard]] double stable_step() const { return flow_->stable_step(); }
@@ -166,9 +112,9 @@ class RezonedFlow {
   void rezone(const ShoreFollowing::Places& places);
 
   ShoreFollowing following_;
-  Scheme scheme_;
+  mechanics::Scheme scheme_;
   RezoneSettings settings_;
-  std::unique_ptr<Flow> flow_;
+  std::unique_ptr<dispersive_shallow_water_2d::Flow> flow_;
   double begin_ = 0;
   double base_ = 0;
   double lost_ = 0;
@@ -179,4 +125,4 @@ class RezonedFlow {
   long halved_ = 0;
 };
 
-}  // namespace seiche::dispersive_shallow_water_2d
+}  // namespace seiche::validation

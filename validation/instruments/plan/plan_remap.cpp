@@ -1,16 +1,18 @@
-// The water and its momentum, brought to another lattice: see rezone.hpp.
+#include "validation/instruments/plan/plan_remap.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
 
-#include <fmt/format.h>
-
 #include "seiche/geometry/bilinear_patch.hpp"
-#include "seiche/models/dispersive_shallow_water_2d/rezone.hpp"
 #include "seiche/plan_lattice/swept_remap.hpp"
 
-namespace seiche::dispersive_shallow_water_2d {
+namespace seiche::validation {
+
+using dispersive_shallow_water_2d::Lattice, dispersive_shallow_water_2d::Model;
+using mechanics::Input;
+using plan_lattice::Shape;
 
 namespace {
 
@@ -35,7 +37,7 @@ Lattice moved(Lattice lattice, std::vector<double> x, std::vector<double> y) {
 std::vector<double> shares_of(const Lattice& lattice) {
   std::vector<double> shares(lattice.shape.nodes(), 0.25);
   for (const auto& edge : plan_lattice::shore_edges(lattice.shape, lattice.sides)) {
-    for (const std::size_t k : edge) shares[k] = Shoreline::share_of_mass;
+    for (const std::size_t k : edge) shares[k] = dispersive_shallow_water_2d::Shoreline::share_of_mass;
   }
   return shares;
 }
@@ -280,7 +282,7 @@ class Remap {
   Input q_, u_;
   Remapped now_;
   SweptRemap swept_;
-  BottomVolume bottom_;
+  dispersive_shallow_water_2d::BottomVolume bottom_;
   std::vector<double> depth_;   // of the old nodes
   std::vector<double> bed_;     // below the new nodes
   std::vector<double> under_;   // bottom_under of the new cells
@@ -294,4 +296,4 @@ Remapped remap(const Model& model, Input q, Input u, std::vector<double> x, std:
   return Remap(model, q, u, std::move(x), std::move(y)).run();
 }
 
-}  // namespace seiche::dispersive_shallow_water_2d
+}  // namespace seiche::validation

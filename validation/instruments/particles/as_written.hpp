@@ -29,15 +29,15 @@
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 #include "seiche/models/shallow_water_particles/particles.hpp"
 
-namespace seiche::shallow_water_particles {
+namespace seiche::validation {
 
 class AsWritten {
  public:
-  /// Throws std::invalid_argument: particles that do not validate, gravity not positive, an end that is Open.
-  AsWritten(const Particles& initial, Ends ends = {}, double gravity = 9.81);
+  /// @param ends  none Open
+  AsWritten(const shallow_water_particles::Particles& initial, shallow_water_particles::Ends ends,
+            double gravity = 9.81);
 
-  /// One step. Throws std::invalid_argument for tau not positive, and seiche::Divergence where pairs cannot be made to
-  /// touch; a throw leaves the row as it was.
+  /// One step. Throws seiche::Divergence where pairs cannot be made to touch, and leaves the row as it was.
   void advance(double tau);
 
   [[nodiscard]] double time() const { return time_; }
@@ -58,16 +58,16 @@ class AsWritten {
   };
   /// Returns whether the right one of the pair (i, i + 1) was rebuilt.
   static bool rebuild(Row& row, std::size_t i);
-  [[nodiscard]] double momentum() const { return total_momentum(row_.mass, row_.velocity); }
+  [[nodiscard]] double momentum() const { return shallow_water_particles::total_momentum(row_.mass, row_.velocity); }
   /// What moves an end: a velocity, or nothing where it goes with its particle.
   [[nodiscard]] std::optional<double> end_velocity(bool right, double time) const;
 
   Row row_;
-  Ends ends_;
+  shallow_water_particles::Ends ends_;
   double gravity_;
   CompensatedSum impulse_;  ///< and the initial momentum
   double time_ = 0;
   long steps_ = 0;
 };
 
-}  // namespace seiche::shallow_water_particles
+}  // namespace seiche::validation
