@@ -169,7 +169,7 @@ TEST_CASE("sound has the dispersion of the lattice and grows by the law of the m
   panel.points("measured, Wendland", k_wendland, wendland, Role::peer);
 }
 
-TEST_CASE("the midpoint rule is of second order in phase and of third in energy", "[dispersion]") {
+TEST_CASE("the midpoint rule is second-order accurate in phase and third-order accurate in energy", "[dispersion]") {
   Check check("wcsph_time_order", "Orders of the steps",
               "The sound wave of N = 32, mode 2, with steps of 0.4, 0.2, 0.1 and 0.05 h/c_0 to the same time.", source);
   const Wave wave{32, 2};

@@ -84,7 +84,7 @@ TEST_CASE("exact solutions have the digits that are known of them", "[exact]") {
   }
 }
 
-TEST_CASE("exact solutions refuse what they cannot do, and say what is wrong", "[exact]") {
+TEST_CASE("exact solutions reject parameters outside their theory, with the reason", "[exact]") {
   for (const auto& row : rows_of("exact_refusals.csv")) {
     INFO(fmt::format("{}", fmt::join(row, ",")));
     REQUIRE(row.size() == 4);
