@@ -240,8 +240,8 @@ void draw(evidence::Exhibit& exhibit, const Results& all) {
                      {"frank-melville"});
   auto& panel =
       figure.panel({.x = "distance from the bend along the wall [depth]", .y = "a_w/a_i", .y_min = 1, .y_max = 4});
-  auto& map = exhibit.figure("surface", "The channel from above",
-                             "When the crest on the turned wall is 43 depths from the bend.");
+  auto& map =
+      exhibit.figure("surface", "The channel from above", "When the crest on the turned wall is 43 h from the bend.");
   for (const Ladder& ladder : all) {
     const Growth& finest = ladder.front();
     const double angle = degrees(finest.channel.angle);
