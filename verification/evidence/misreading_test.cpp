@@ -44,7 +44,7 @@ TEST_CASE("a misreading of a curve is found, with its factor or shift", "[eviden
   const auto found = [&](const std::string& id, const Points& submitted, Kind kind, double amount, double accuracy,
                          const std::string& why) {
     const std::optional<Misreading> misread = misreading(submitted.curve(), reference.curve());
-    check.holds(id + ": The misreading is recognised.", {misread && misread->kind == kind ? 1.0 : 0.0},
+    check.holds(id + ": The kind of misreading is recognised.", {misread && misread->kind == kind ? 1.0 : 0.0},
                 Qualitative{"the kind of the change", "it was planted"});
     check.holds(id + "-amount: The factor or shift is found.", {misread ? misread->amount : std::nan("")},
                 Bound{accuracy, why, amount});

@@ -132,7 +132,7 @@ TEST_CASE("numbers in folders, patches and wide tables get rows of their own", "
   folder.refused("nowhere", "MeasureTool without a position is rejected.", "nowhere.csv", "no positions");
   folder.write("cut/fort.q0000", coarse.substr(0, coarse.size() - 7));
   folder.write("cut/fort.t0000", "0 time\n");
-  folder.refused("cut", "A truncated patch is rejected.", "cut", "1 cells before the patch does");
+  folder.refused("cut", "A patch with missing rows is rejected.", "cut", "1 cells before the patch does");
 
   folder.write("sta_0007", "0 1 2 3\n");
   folder.is("station", "The columns of a station are its four quantities.", "sta_0007", "t,eta,u,v|0,1,2,3");

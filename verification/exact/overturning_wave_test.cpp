@@ -19,7 +19,7 @@ using namespace seiche::verification;
 
 const std::string source =
     "Baker, Meiron & Orszag, J. Fluid Mech. 123 (1982) 477; Longuet-Higgins & Cokelet, Proc. R. Soc. Lond. A 350 "
-    "(1976) 1; regression: numbers computed once by an earlier program, 512 and 1024 nodes";
+    "(1976) 1; regression: values computed once with 512 and 1024 nodes";
 
 constexpr double period = 2 * std::numbers::pi;
 const OverturningWave::Parameters deep_water{.amplitude = 0.5};

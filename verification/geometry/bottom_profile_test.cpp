@@ -158,7 +158,7 @@ TEST_CASE("elevations of many positions equal those of single positions, across 
   }
 }
 
-TEST_CASE("slopes are derivatives, at a corner those of the right side", "[geometry]") {
+TEST_CASE("slopes are derivatives, at a corner from the right side", "[geometry]") {
   const PiecewiseLinearBottom broken(knots, heights);
   for (std::size_t k = 0; k < knots.size(); ++k) {
     const std::size_t piece = std::min(k, knots.size() - 2);
