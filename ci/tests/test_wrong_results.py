@@ -237,7 +237,7 @@ class Diagnosis(Scoring):
 
     def test_inverted_mirrored_neighbouring_scaled_and_cut_are_told(self):
         right = self.gauge()
-        self.assertIn("upside down", self.said({**right, "h": -right["h"]})[0])
+        self.assertIn("reversed sign", self.said({**right, "h": -right["h"]})[0])
         self.assertIn("divided by 0.82", self.said({**right, "h": 0.82 * right["h"]})[0])
         wrong = dict(right)
         gauges = sorted(set(right["x"]))

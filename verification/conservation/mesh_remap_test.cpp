@@ -77,7 +77,7 @@ const Roundoff rounded{.operations = 100 * cells * cells,
 TEST_CASE("a remap of the mesh in the vertical plane conserves momentum", "[conservation]") {
   Check check("mesh_remap", "Remap of the two-dimensional mesh: conservation",
               "A free patch of 16 x 16 cells, 4 m wide, with velocities of 1 m/s; nodes move by up to a third of a "
-              "cell, those of the sides along them.",
+              "cell, nodes on the sides along them.",
               source);
   const Model model(free_patch(cells, cells, {0, 0}, {size, size}));
   const mechanics::State state = model.state();

@@ -113,7 +113,7 @@ TEST_CASE("water on a floor conserves energy and the momentum along it", "[conse
   march(drop, 0.4, 0.01, [&] { drop.observe(); });
   claim_kept(check, "Drop on a floor", drop, {{"energy", "Energy"}, {"momentum_x", "Momentum along it"}});
   check.that(
-      "pushes", "The floor carries some of the weight.", "momentum across the floor in addition to that of free fall",
+      "pushes", "The floor carries some of the weight.", "momentum across the floor beyond free fall",
       {drop.ledger().entry("momentum_y").defect + 0.4 * drop.model().mass() > 0.1 * drop.model().mass() * 0.4 ? 1.0
                                                                                                               : 0.0},
       Qualitative{"more than a tenth of the weight's impulse", "otherwise there would be no floor"});

@@ -68,11 +68,10 @@ const Roundoff rounded{.operations = 100 * cells * cells,
                        .reason = "about a hundred operations a cell on positions of the box's size"};
 
 TEST_CASE("a remap of the 2DH model preserves a uniform stream", "[conservation]") {
-  Check check(
-      "remap_2dh", "Remap of the two-dimensional horizontal model: conservation",
-      "16 x 16 cells over a level bottom 1 m deep, one velocity; nodes move by up to a third of a cell, those of "
-      "the sides along them.",
-      source);
+  Check check("remap_2dh", "Remap of the two-dimensional horizontal model: conservation",
+              "16 x 16 cells over a level bottom 1 m deep, one velocity; nodes move by up to a third of a cell, nodes "
+              "on the sides along them.",
+              source);
   const Model model(box());
   std::vector<double> u(3 * model.nodes(), 0.0);
   for (std::size_t k = 0; k < model.nodes(); ++k) {

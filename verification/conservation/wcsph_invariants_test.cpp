@@ -48,8 +48,8 @@ Particles jittered_patch(double spacing, double density) {
 TEST_CASE("momentum of a free blob is conserved to round-off with every viscosity", "[conservation]") {
   Check check("wcsph_momentum", "Momentum and mass of a free blob",
               "A disordered disc of unequal masses with random velocities and densities, no walls, no gravity, 300 "
-              "steps. Pair forces are antisymmetric bit by bit, although every particle gathers its own sums, so that "
-              "the momentum wanders by rounding alone.");
+              "steps. Pair forces are bitwise antisymmetric, although every particle gathers its own sums, so that the "
+              "momentum wanders by rounding alone.");
   const std::vector<std::pair<std::string, Viscosity>> models{{"inviscid", Inviscid{}},
                                                               {"artificial", ArtificialViscosity{0.3}},
                                                               {"laminar", LaminarSps{0.05, 0, 0}},
@@ -192,9 +192,9 @@ TEST_CASE("density diffusion conserves mass and leaves linear densities unchange
                               name_of(kernel)),
                   {static_cast<double>(sum / scale)},
                   Roundoff{60, 1,
-                           "terms of a pair are the same numbers bit by bit but for their volumes: 4 roundings of each "
-                           "and of the sums of some 45 of them, which may be 10 times the rate; over hundreds of "
-                           "particles they cancel as random numbers do"});
+                           "terms of a pair are bitwise identical except for their volumes: 4 roundings of each and of "
+                           "the sums of some 45 of them, which may be 10 times the rate; over hundreds of particles "
+                           "they cancel as random numbers do"});
     }
     Particles linear = at_rest(random_blob(spacing, 1000, 1));
     for (std::size_t a = 0; a < linear.size(); ++a)

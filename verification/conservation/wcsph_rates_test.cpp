@@ -199,8 +199,8 @@ TEST_CASE("the time step agrees with sums over all pairs", "[conservation]") {
   const double expected = DirectSums(noisy_square(16, spacing), spacing, flow.settings()).largest_step();
   check.that("step", "The first step has the length of the rule.", "dt [s]", {flow.stable_step()},
              Roundoff{40, expected,
-                      "two evaluations of some 10 roundings of h, of the sound speed and of their quotient, and that "
-                      "of rho/rho_0, which the cube of the sound speed counts three times (as 9)",
+                      "two evaluations of some 10 roundings of h, of the sound speed and of their quotient, and one of "
+                      "rho/rho_0, which the cube of the sound speed counts three times (as 9)",
                       expected});
 }
 

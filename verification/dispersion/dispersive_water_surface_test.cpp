@@ -112,8 +112,8 @@ TEST_CASE("second harmonics of the water's surface agree with Stokes", "[dispers
   Check check("water_surface_stokes", "The water's surface: bound second harmonics",
               "In a wave of permanent form the second harmonic is (k a^2/4) (3 - s^2)/s^3, s = tanh k, after Stokes. "
               "The second harmonic of the water's surface with gamma = 1/15 and alpha = 2/5 must agree to the order "
-              "k^4 of its error; those of the nodes and of Serre's equations agree to k^2 only. Waves that start with "
-              "the nodes' own second harmonic retain it.",
+              "k^4 of its error; the harmonics of the nodes and of Serre's equations agree to k^2 only. Waves that "
+              "start with the nodes' own second harmonic retain it.",
               "Stokes, Trans. Camb. Phil. Soc. 8 (1847) 441");
   refine(check, {"k", {0.1, 0.15, 0.2, 0.3}},
          {{"surface",

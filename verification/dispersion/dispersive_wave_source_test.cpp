@@ -78,8 +78,8 @@ TEST_CASE("the wave source generates the prescribed record", "[dispersion]") {
 TEST_CASE("statistics of waves have their closed forms", "[dispersion]") {
   Check check("wave_statistics", "Standard deviation, skewness and asymmetry of a wave with its second harmonic",
               "a cos t + b cos(2 t + p) has the variance (a^2 + b^2)/2, and 3 a^2 b/4 times cos p and -sin p for its "
-              "mean cube and for that of its Hilbert transform a sin t + b sin(2 t + p). With p > 0 the wave pitches "
-              "forward in time: its front comes first.");
+              "mean cube and for its Hilbert transform's a sin t + b sin(2 t + p). With p > 0 the wave pitches forward "
+              "in time: its front comes first.");
   constexpr int n = 48;
   Largest deviation, skewness, asymmetry;
   for (const double phase : {0.0, 0.7, -0.7, 1.5, -2.4}) {

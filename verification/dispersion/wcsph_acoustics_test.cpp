@@ -153,8 +153,8 @@ TEST_CASE("sound has the dispersion of the lattice and grows by the law of the m
 
   auto& panel = check
                     .figure("dispersion", "Numerical dispersion of sound",
-                            "Frequency over that of sound, with the error of the steps taken off. Lines: sums over the "
-                            "lattice. The limit of long waves is not 1.")
+                            "Frequency over the frequency of sound, with the error of the steps taken off. Lines: sums "
+                            "over the lattice. The limit of long waves is not 1.")
                     .panel({.x = "dx/wavelength", .y = "omega/(c_0 k)"});
   std::vector<double> parts, spline_curve, wendland_curve;
   for (double part = 0.002; part < 0.2; part += 0.002) {

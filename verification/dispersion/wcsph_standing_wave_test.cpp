@@ -109,10 +109,9 @@ struct Row {
 };
 
 void judge(Check& check, const std::vector<Row>& rows, const std::string& reason) {
-  auto& panel = check
-                    .figure("oscillation", "Standing wave",
-                            "Velocities of the particles projected on those of the wave, over omega.")
-                    .panel({.x = "t [s]", .y = "amplitude [m]"});
+  auto& panel =
+      check.figure("oscillation", "Standing wave", "Velocities of the particles projected on the wave's, over omega.")
+          .panel({.x = "t [s]", .y = "amplitude [m]"});
   const std::vector<Role> roles{Role::computed, Role::peer, Role::data, Role::guide};
   std::size_t lines = 0;
   for (const Row& row : rows) {

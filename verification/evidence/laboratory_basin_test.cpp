@@ -110,7 +110,7 @@ TEST_CASE("a paddle generates the waves of theory and the layer absorbs them", "
                "amplitude over the stated one, minus 1", {.value = found.mean - 1, .resolution = "h = 0.1 m"},
                waves.bound());
     check.that("reflection-" + id, "The amplitude reflected by the absorbing layer is below the limit.",
-               "amplitude of the wave that returns, over that of the one that comes",
+               "amplitude of the returning wave over the amplitude of the incident one",
                {.value = found.reflected, .resolution = "h = 0.1 m"}, waves.bound());
   }
 }

@@ -307,7 +307,7 @@ TEST_CASE("correct records pass and wrong records fail, in every laboratory case
   const auto none = [&](const std::string& id, const std::string& text, const std::vector<std::string>& cases_of,
                         const std::string& reason) {
     check.from("definition of scoring")
-        .that(id, text, "cases that are judged otherwise",
+        .that(id, text, "cases with another verdict",
               {.value = static_cast<double>(cases_of.size()),
                .resolution = std::to_string(cases) + " cases",
                .where = fmt::format("{}", fmt::join(cases_of, ", "))},

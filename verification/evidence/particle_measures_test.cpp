@@ -57,8 +57,8 @@ TEST_CASE("the lag of a front is found", "[evidence]") {
                     0.17});
   check.holds("The rms distance after the shift is zero.", {fit.rms},
               Bound{of_lines + of_halving * std::sqrt(squares / 4),
-                    "the residual of least squares is at most that of the true shift, whose lines leave 6e-8, and the "
-                    "remainder of halving times the slopes"});
+                    "the residual of least squares is at most the residual of the true shift, whose lines leave 6e-8, "
+                    "and the remainder of halving times the slopes"});
   check.holds("Points beyond the tank are excluded.", {static_cast<double>(fit.points)}, Bound{0, "by hand", 4});
   double sum = 0;
   for (int k = 0; k < 4; ++k) sum += std::pow(front(late[k]) - measured[k], 2);

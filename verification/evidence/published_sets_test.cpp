@@ -61,7 +61,7 @@ TEST_CASE("every figure of the atlas has the parameters of its source", "[eviden
     cases.erase(tile);
   }
   for (const auto& [tile, names] : cases) {
-    INFO(tile << " of " << names.front() << " is no tile of the atlas");
+    INFO(tile << " of " << names.front() << " is no figure of the atlas");
     CHECK(false);
   }
 }

@@ -89,7 +89,7 @@ Verdict verdict(const Record& record, const std::string& id) {
   return std::find_if(judged.begin(), judged.end(), [&](const auto& c) { return c.claim.id == id; })->judgement.verdict;
 }
 
-TEST_CASE("every declared claim is judged exactly once, in the order of its declaration", "[study]") {
+TEST_CASE("every declared claim is evaluated exactly once, in the order of its declaration", "[study]") {
   const Record record = record_of("fine");
   std::vector<std::string> ids;
   for (const JudgedClaim& judged : record.claims()) ids.push_back(judged.claim.id);
@@ -101,7 +101,7 @@ TEST_CASE("every declared claim is judged exactly once, in the order of its decl
   CHECK(record.measurements().at("depth") == 1.05);
 }
 
-TEST_CASE("a claim that could not be measured is an error under its own name, the others are judged", "[study]") {
+TEST_CASE("a claim that could not be measured is an error under its own name, the others are evaluated", "[study]") {
   for (const char* what : {"not measured", "not a number"}) {
     const Record record = record_of(what);
     CHECK(verdict(record, "crest") == Verdict::error);
@@ -119,7 +119,7 @@ TEST_CASE("a limit due from the run but not set is an error, one beyond its cap 
   CHECK_FALSE(record_of("beyond the cap").as_declared());
 }
 
-TEST_CASE("a run that crashes leaves every claim in error, declared failures too", "[study]") {
+TEST_CASE("a run that crashes leaves every claim in error, known deviations too", "[study]") {
   const Record record = record_of("crash");
   CHECK(record.error == "the depth became negative");
   CHECK(record.claims().size() == 4);
@@ -134,7 +134,7 @@ TEST_CASE("a run that gets no memory says so", "[study]") {
   CHECK(record_of("no memory").error.starts_with("out of memory"));
 }
 
-TEST_CASE("a declared failure of another size than declared is unexpected", "[study]") {
+TEST_CASE("a known deviation of another size than declared is unexpected", "[study]") {
   const Record record = record_of("another failure");
   CHECK(verdict(record, "overshoot") == Verdict::fail);
   CHECK_FALSE(record.as_declared());

@@ -157,7 +157,7 @@ TEST_CASE("a later success does not overwrite an earlier failure", "[record]") {
   CHECK_FALSE(record.as_declared());
 }
 
-TEST_CASE("a declared failure fails by as much as was declared, or is not as declared", "[record]") {
+TEST_CASE("a known deviation fails by as much as was declared, or is unexpected", "[record]") {
   const Bound bound{.limit = 0.1, .reason = "test"};
   const KnownFailure declared{.value = 5, .width = 0.5, .reason = "the method cannot do it"};
   const auto measured = [&](double value) {
@@ -183,7 +183,7 @@ TEST_CASE("a declared failure fails by as much as was declared, or is not as dec
   }
 }
 
-TEST_CASE("a declared failure needs a reason and a finite value, and no band", "[record]") {
+TEST_CASE("a known deviation needs a reason and a finite value, and no band", "[record]") {
   Record record;
   const Bound bound{.limit = 0.1, .reason = "test"};
   const auto declare = [&](const KnownFailure& failure) { record.known_failure(claim, {.value = 5}, bound, failure); };

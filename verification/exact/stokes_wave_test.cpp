@@ -23,8 +23,7 @@ using exact::StokesWave;
 
 constexpr double wavelength = 2 * std::numbers::pi;
 const std::string source =
-    "Cokelet, Phil. Trans. R. Soc. A 286 (1977) 183; regression: digits computed once by an earlier program, two "
-    "resolutions";
+    "Cokelet, Phil. Trans. R. Soc. A 286 (1977) 183; regression: digits computed once at two resolutions";
 
 struct Column {
   std::string id, quantity;

@@ -139,7 +139,8 @@ TEST_CASE("the mean over an interval of length zero is the elevation", "[geometr
   }
 }
 
-TEST_CASE("elevations of many positions equal those of single positions, across any number of corners", "[geometry]") {
+TEST_CASE("elevations of many positions equal elevations of single positions, across any number of corners",
+          "[geometry]") {
   for (const Profile& profile : profiles()) {
     std::vector<double> x;
     for (int k = 0; k <= 4000; ++k) x.push_back(-10 + 0.005 * k);

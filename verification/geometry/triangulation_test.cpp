@@ -96,7 +96,7 @@ long edges_not_delaunay(const Triangulation& mesh, Places nodes) {
 
 TEST_CASE("flips give the same triangles as a full rebuild over random motions", "[geometry]") {
   Check check("triangulation_flips", "Local flips against a full rebuild",
-              "Nodes in a box wander at random, those of its sides along them. After every motion the triangles are "
+              "Nodes in a box wander at random, nodes on its sides along them. After every motion the triangles are "
               "compared with Boost.Polygon's Voronoi diagram, an independent method with integer arithmetic. In one "
               "run of 37 nodes 2e4 motions of all nodes, in another of 919 nodes a few large ones. Nodes have "
               "coordinates that are whole multiples of $2^{-28}$: both methods see the same numbers.");

@@ -139,7 +139,7 @@ TEST_CASE("a wave overturns when its front is past the vertical", "[geometry]") 
 
 TEST_CASE("a jet has landed when it encloses air", "[geometry]") {
   Check check("wcsph_touch_down", "Detector of touching down",
-              "A tongue of water grows along a half ring over the level and lands; to either side; and air shut off by "
+              "A tongue of water grows along a half ring over the level and lands; to either side; and air enclosed by "
               "a wall of the box. Compared are the detected time of landing and the area of enclosed air.");
   constexpr double spacing = 0.01;
   const double hole = 4 * spacing * spacing;

@@ -289,7 +289,7 @@ TEST_CASE("steep converging water exchanges momentum and other water does not", 
   std::vector<double> last = tamed;
   for (std::size_t k = 0; k < last.size(); ++k) last[k] = 2 * tamed[k] - wild[k];
   check.that("no-return", "Both velocities converge to one value over a long time.",
-             "difference of the last velocities over that of the first",
+             "difference of the last velocities over the first difference",
              {(last[inner + 1] - last[inner]) / (wild[inner + 1] - wild[inner])},
              Bound{0.05, "1/(1 + 2 x), x some tens, is positive and small", 0.05});
   check.that("energy", "Energy decreases where two velocities become equal.",

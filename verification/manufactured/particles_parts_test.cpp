@@ -102,7 +102,7 @@ TEST_CASE("water that leaves through a section takes its mass and momentum along
   Check check("particles_outflow", "A fan through a fixed section",
               "Ritter's fan passes the section $x = 6$ at supercritical speed for half a second; its other end follows "
               "the water. Mass $\\int h u\\,dt$ and momentum $\\int (h u^2 + g h^2/2)\\,dt$ that have passed, against "
-              "their integrals. To the left the same, bit by bit but for the order of sums.",
+              "their integrals. To the left the same, bitwise identical except for the order of sums.",
               "Ritter (1892)");
   const double c0 = std::sqrt(g);
   using Gauss = boost::math::quadrature::gauss<double, 30>;

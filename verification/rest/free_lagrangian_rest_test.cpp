@@ -42,7 +42,7 @@ Flow still(Check& check, const std::string& what, Flow flow, double level) {
 TEST_CASE("water at rest in cells and particles stays at rest on any mesh", "[rest]") {
   Check check("free_lagrangian_rest", "Still water on meshes whose neighbours may change",
               "Dirichlet cells: 24 x 8 in a box 3 x 1, nodes inside moved at random by up to a fifth of the spacing, "
-              "those of the walls along them; 200 steps of 0.05, without stabilisation. Particles of variable mass: "
+              "nodes on walls along them; 200 steps of 0.05, without stabilisation. Particles of variable mass: "
               "jittered meshes over a flat bottom and over a step, whose nodes inside are drawn to the centroids of "
               "their cells, and regular ones under mapped and fixed_x, stabilisation 0.1. With the surface at y = 0 "
               "the gradient of the potential energy of the polygon of water is zero. At y = 1 gravity and the pressure "

@@ -41,9 +41,9 @@ TEST_CASE("bad hexahedral meshes and settings are rejected with name, value and 
   mesh({"z has 59 values", "60, one per node"}, [](Mesh& m) { m.z.pop_back(); });
   mesh({"node 7", "nan", "finite"}, [](Mesh& m) { m.x[7] = not_a_number; });
   mesh({"corner", "of cell", "positive"}, [](Mesh& m) { m.x[m.node(1, 1, 1)] = 2.5; });
-  mesh({"bottom node 3", "that of all others, -1"}, [](Mesh& m) { m.z[3] += 1e-10; });
+  mesh({"bottom node 3", "the others' elevation, -1"}, [](Mesh& m) { m.z[3] += 1e-10; });
   mesh({"driven side", "no velocity"}, [](Mesh& m) { m.sides.north = plan_lattice::DrivenSide{}; });
-  mesh({"bottom node 3", "that of the bottom, -0.8"}, [](Mesh& m) {
+  mesh({"bottom node 3", "the bottom's elevation, -0.8"}, [](Mesh& m) {
     m.bottom = plane_bottom(0.05);
     for (std::size_t k = 0; k < m.plan.nodes(); ++k) m.z[k] = -1 + 0.05 * m.x[k] + (k == 3 ? 1e-10 : 0);
   });
