@@ -67,7 +67,7 @@ TEST_CASE("a number that was changed in a record is seen", "[record]") {
   CHECK_FALSE(read_summary(written.json).sealed);
 }
 
-TEST_CASE("content appended after a record's digest is rejected", "[record]") {
+TEST_CASE("content appended after a record's digest is detected", "[record]") {
   const Written written;
   io::write_file(written.json, io::read_file(written.json) + "\n");
   CHECK_FALSE(written.error(Reading::json).empty());

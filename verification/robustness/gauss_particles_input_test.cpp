@@ -120,7 +120,7 @@ TEST_CASE("Gauss-principle particles that leave their grid cause a Divergence wi
             {.gravity = 0, .penalty = 0});
   const std::string message = message_of<Divergence>([&] { march(flow, 5, 0.05); });
   INFO(message);
-  const bool named = message.find("grid with its margin is [-1.5, 1.5]") != std::string::npos;
+  const bool named = message.find("lattice with its margin is [-1.5, 1.5]") != std::string::npos;
   check.holds("The message gives the position of departure and the range of the grid.", {named ? 1.0 : 0.0},
               Qualitative{"Divergence that names the grid's ends", "a run that breaks down must say where"});
   // The disc's outermost ring has radius 0.96; its rightmost particle passes 1.5 at t = 0.54 and more.
