@@ -115,7 +115,7 @@ def _problem(about, cases, own, runs, beside, drawn, by_name):
                    about.get("words", ""), about["filters"], _regime(about.get("regime", {}), own),
                    {model: cell for model, cell in cells.items() if cell}, contest, members,
                    [run for case in members for run in runs.get(case.name, [])],
-                   [table for table in beside if table.case.name in {case.name for case in members}], about.get("films", []),
+                   [table for table in beside if table.case.name in about.get("scored", [])], about.get("films", []),
                    {model: what["tier"] for model, what in about.get("cells", {}).items()
                     if isinstance(what, dict) and "tier" in what and not cells.get(model)})
 
