@@ -46,7 +46,7 @@ inline void check_table(Check& check, const std::string& id, const std::string& 
   check.that(
       {.id = id,
        .text = "All " + std::to_string(rows.size()) + " numbers have every digit of the reference: " + quantity + ".",
-       .quantity = "largest deviation, in units of what the printed digits allow",
+       .quantity = "largest deviation, in units of the rounding of the printed digits",
        .source = source},
       {.value = worst.value()},
       evidence::Bound{1, "half a unit of the last digit printed or, where larger, " + accuracy.reason});

@@ -53,7 +53,7 @@ class Adapt(Scoring):
 
     def test_front_is_scored(self):
         front = self.adapt("front", WRITTEN / "interFoam/floor", "--field", "alpha.water", *COLUMN).stdout
-        scored = self.score("dam_break_sph", "--data", self.write(front), "--set", "judged_to=8", "--dx", 0.00714375)
+        scored = self.score("dam_break_sph", "--data", self.write(front), "--set", "scored_to=8", "--dx", 0.00714375)
         self.accepted(scored, 1)
         verdicts = self.verdicts("dam_break_sph.mine")
         self.assertEqual((verdicts["shift"], verdicts["rms"]), ("pass", "pass"))

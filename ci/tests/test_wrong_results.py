@@ -180,7 +180,7 @@ class ColumnFront(Scoring):
         front = self.front()
         _, said = self.judged(front, status=0)
         self.assertIn("14 of 15 published points count, 1 later than the front is known", said)
-        verdicts, said = self.judged(front, "--set", "judged_to=3.9", status=1)
+        verdicts, said = self.judged(front, "--set", "scored_to=3.9", status=1)
         self.assertIn("4 of 15 published points count, 11 lie beyond X/a = 3.9", said)
         self.assertEqual(verdicts["rate"], "inconclusive")
 
@@ -237,7 +237,7 @@ class Diagnosis(Scoring):
 
     def test_inverted_mirrored_neighbouring_scaled_and_cut_are_told(self):
         right = self.gauge()
-        self.assertIn("upside down", self.said({**right, "h": -right["h"]})[0])
+        self.assertIn("reversed sign", self.said({**right, "h": -right["h"]})[0])
         self.assertIn("divided by 0.82", self.said({**right, "h": 0.82 * right["h"]})[0])
         wrong = dict(right)
         gauges = sorted(set(right["x"]))

@@ -62,8 +62,8 @@ def colours(panel):
     return matplotlib.cm.ScalarMappable(norm, matplotlib.colors.LinearSegmentedColormap.from_list("heights", hues))
 
 
-def thinned(series, panel):
-    """x, y, z of the rows and columns that are drawn, NaN outside the panel's limits."""
+def thinned(series, panel, cut=True):
+    """x, y, z of the rows and columns that are drawn, NaN outside the panel's limits unless axes cut there."""
     shape = series["x"].shape
     if len(shape) != 2 or min(shape) < 2 or any(series.get(name, numpy.empty(0)).shape != shape for name in "yz"):
         raise ValueError(f"“{series.get('label', '')}” needs x, y, z of one two-dimensional shape, 2 x 2 or more")
@@ -75,9 +75,12 @@ def thinned(series, panel):
     rows, columns = (numpy.flatnonzero(inside.any(axis=way)) for way in (1, 0))
     if min(len(rows), len(columns)) < 2:
         raise ValueError(f"“{series.get('label', '')}” has no cell within the panel's limits")
+    if not cut:
+        rows, columns = (numpy.arange(max(line[0] - 1, 0), min(line[-1] + 2, count))
+                         for line, count in zip((rows, columns), shape))
     kept = numpy.ix_(rows[_every(len(rows))], columns[_every(len(columns))])
     x, y, z = (series[name][kept] for name in "xyz")
-    return x, y, numpy.where(inside[kept], z, numpy.nan)
+    return x, y, numpy.where(inside[kept], z, numpy.nan) if cut else z
 
 
 def _every(count):
@@ -101,7 +104,7 @@ def triangles(x, y, z):
 
 def plan(axis, panel, series):
     """Colours of z, shaded smoothly, and contour lines at the ticks of the colour bar."""
-    x, y, z = thinned(series, panel)
+    x, y, z = thinned(series, panel, cut=False)
     hues = colours(panel)
     corners = triangles(x, y, z)
     if len(corners):

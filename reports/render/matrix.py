@@ -13,6 +13,7 @@ from render import experiments, side_by_side
 PROBLEMS = pathlib.Path(__file__).resolve().parent.parent / "problems.toml"
 STEPS = (0.01, 0.05, 0.1, 0.25)     # of the error, between the shades of a cell
 ENERGY = 0.05                       # a relative change of the energy that is said beside the error
+UNITS = {"depth": "h", "width": "a"}
 TIMES = {"sqrt(depth/g)": " √(h/g)", "sqrt(width/g)": " √(a/g)", "1/strain rate": "/\u2060α"}
 
 
@@ -42,11 +43,14 @@ class Problem:
     evidence: str
     group: str
     words: str
+    filters: dict               # {"problem": its family, "quantity": its kind}
     regime: dict
     cells: dict                 # {model id: Cell}
     contest: object             # side_by_side.Problem, or None
     cases: list
     yours: list                 # [league.Run] of other solvers
+    stored: list                # [league.Table] of cases with stored results of other solvers
+    films: list                 # cases whose films are shown
     longer: dict                # {model id: tier} where only a longer tier than these records' has a number
 
     @property
@@ -81,21 +85,21 @@ def causes(path=PROBLEMS):
     return tomllib.loads(path.read_text(encoding="utf-8"))["cause"]
 
 
-def survey(cases, drawn, others, path=PROBLEMS):
+def survey(cases, drawn, others, beside=(), path=PROBLEMS):
     """What the first screen, the pages of problems and those of models show.
 
     @param drawn   {(record stem, figure id): gallery.Drawn}
-    @param others  tables of league.survey()
+    @param others  tables of league.survey(); beside  those with stored results too
     """
     said = tomllib.loads(path.read_text(encoding="utf-8"))
     own = {case.name: next((record for record in case.records if record.own), None) for case in cases}
     runs = {table.case.name: [run for run in table.runs if not run.record.own] for table in others}
     by_name = {model["name"]: model["id"] for model in said["model"]}
-    problems = [_problem(about, cases, own, runs, drawn, by_name) for about in said["problem"]]
+    problems = [_problem(about, cases, own, runs, beside, drawn, by_name) for about in said["problem"]]
     return {"models": said["model"], "problems": problems, "synonyms": said["synonyms"]}
 
 
-def _problem(about, cases, own, runs, drawn, by_name):
+def _problem(about, cases, own, runs, beside, drawn, by_name):
     cells, contest = {}, None
     if "contest" in about:
         contest = side_by_side.problem(about["id"], about["title"], about["contest"], own.get(about["contest"]), drawn)
@@ -108,9 +112,10 @@ def _problem(about, cases, own, runs, drawn, by_name):
             cells[model] = of_claims(own[case], pattern, _number(what.get("over"), own[case]))
     members = [case for case in cases if case.first.kind == "validation" and case.first.group == about["group"]]
     return Problem(about["id"], about["title"], about["quantity"], about["evidence"], about["group"],
-                   about.get("words", ""), _regime(about.get("regime", {}), own),
+                   about.get("words", ""), about["filters"], _regime(about.get("regime", {}), own),
                    {model: cell for model, cell in cells.items() if cell}, contest, members,
                    [run for case in members for run in runs.get(case.name, [])],
+                   [table for table in beside if table.case.name in about.get("scored", [])], about.get("films", []),
                    {model: what["tier"] for model, what in about.get("cells", {}).items()
                     if isinstance(what, dict) and "tier" in what and not cells.get(model)})
 
@@ -159,7 +164,7 @@ def _of_contest(contest, rows):
     finest, cells = rows[-1], row.cells
     cell = Cell(contest.record, f"table-{side_by_side.TABLE}", cells["error"], cells["error"], len(rows),
                 cells["uncertainty"], cells["processor time"],
-                where=f"{cells['size of']} {cells['size']:g} {contest.units['size']}" if cells["size"] is not None else "")
+                where=f"{cells['size of']} {cells['size']:.3g} {UNITS.get(contest.units['size'], contest.units['size'])}" if cells["size"] is not None else "")
     if finest.broke:
         unit, lasted = contest.units["lasted"], finest.cells["lasted"]
         time = f"t = {lasted:.2g}{TIMES.get(unit, f' {unit}')}".rstrip().replace(" ", "\u00a0") if lasted else ""

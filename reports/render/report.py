@@ -53,7 +53,7 @@ def build(evidence, stage, out, options):
              "rooms": coverage.survey(coverage.read()), "wanted_lines": coverage.WANTED, "LOOSEST": sharpness.SHOWN,
              "sharpness_limits": {"marginal": sharpness.MARGINAL, "loose": sharpness.LOOSE},
              "formulas": printed.survey(sources, cases),
-             "matrix": matrix.survey(cases, drawn, others), "scorable": matrix.scorable(options.scorable, cases),
+             "matrix": matrix.survey(cases, drawn, others, beside), "scorable": matrix.scorable(options.scorable, cases),
              "others": len(others), "league": beside}
     write("index.html.j2", "index.html", "", **whole)
     for name, words in PAGES.items():

@@ -134,7 +134,7 @@ void thacker_bowl(Case& c) {
       choice("motion", "circling", {"circling", "pulsating"}, "the surface a plane, or a paraboloid"),
       real("radius", 1.0, "m", {1e-3, 1e7}, "of the bowl's rim"),
       real("depth", 0.1, "m", {1e-6, 1e5}, "of the bowl below its rim"),
-      real("displacement", 0.5, "m", {1e-6, 1e7}, "circling: of the water's centre from that of the bowl"),
+      real("displacement", 0.5, "m", {1e-6, 1e7}, "circling: of the water's centre from the bowl's centre"),
       real("start_radius", 0.8, "m", {1e-6, 1e7}, "pulsating: r0, at rest at t = 0 inside sqrt(radius r0)"),
       real("periods", 1.0, "1", {1e-3, 1000}, "length of the records of the gauges"),
       real("time", 2.0, "s", {0, 1e9}, "instant of the section"),

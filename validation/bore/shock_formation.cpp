@@ -114,8 +114,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
              "The depth at the piston is no farther from the depth behind a bore than the depth of a simple wave is.",
              "depth at the piston [m]", &Results::at_piston,
              Bound{.limit = s.simple - s.bore,
-                   .reason = "the depth starts at that of a simple wave; reflections from the forming bore bring it to "
-                             "the depth behind a bore, and never exceed the initial difference",
+                   .reason = "the depth starts at the value of a simple wave; reflections from the forming bore bring "
+                             "it to the depth behind a bore, and never exceed the initial difference",
                    .expected = s.bore});
 }
 

@@ -69,12 +69,12 @@ void claim_self_test(const Claims<exact::SelfTest>& claims) {
     std::string reason;
   };
   const std::string steps = "steps of tolerance 2e-11, whose errors add up; no more than 5000 of them";
-  const std::array identities{Declared{"kinetic energy at t = 0 is (pi/2) A^2 I_0(2A)", 1e-13,
-                                       "integral equation solved to 1e-15, kernels rounded at neighbouring markers "
-                                       "0.01 apart; sum over the markers"},
-                              Declared{"volume is conserved", 1e-7, steps},
-                              Declared{"energy is conserved", 1e-7, steps},
-                              Declared{"horizontal impulse is conserved", 1e-7, steps}};
+  const std::array identities{
+      Declared{
+          "kinetic energy at t = 0 is (pi/2) A^2 I_0(2A)", 1e-13,
+          "integral equation solved to 1e-15, kernels rounded at neighbouring nodes 0.01 apart; sum over the nodes"},
+      Declared{"volume is conserved", 1e-7, steps}, Declared{"energy is conserved", 1e-7, steps},
+      Declared{"horizontal impulse is conserved", 1e-7, steps}};
   for (std::size_t k = 0; k < identities.size(); ++k) {
     claims.check(
         fmt::format("identity-{}", k + 1),
@@ -182,7 +182,7 @@ void overturning_wave(Case& c) {
       real("depth", 0.0, "m", {0, 1e6}, "depth; 0 is infinitely deep water"),
       real("gravity", 1.0, "m/s^2", {1e-6, 1e6}, "acceleration of gravity"),
       real("periods", 0.7, "1", {1e-3, 1}, "computed periods of the linear wave"),
-      integer("markers", {384, 512, 1024}, {64, 4096}, "markers per wavelength, even"),
+      integer("markers", {384, 512, 1024}, {64, 4096}, "nodes per wavelength, even"),
       tolerance_parameter(),
   };
   c.study = Study(claims, compute, show, source);

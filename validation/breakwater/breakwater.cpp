@@ -155,7 +155,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
           Bound{.limit = Amount::told_by_run(in_time_limit(fastest, s.tau)),
                 .reason = "the clock error of the scheme, (omega tau)^2/24 of a phase of 2 pi and of the forces; and "
                           "ten times the height for nonlinearity: the depth over the berm is 0.4. For basin waves of "
-                          "L/h > 3 omega is at most that of L/h = 3"});
+                          "L/h > 3 omega is at most its value at L/h = 3"});
 }
 
 /// Largest change of a force by each halving of the cells.

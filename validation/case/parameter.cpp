@@ -110,7 +110,9 @@ Values::Values(std::vector<Parameter> declared, const Published& set, Sets sets)
 }
 
 const Parameter& Values::find(std::string_view name) const {
-  const std::string_view now = name == "beyond_folds" ? "beyond_tangling" : name;  // its name in version 0.1
+  const std::string_view now = name == "beyond_folds" ? "beyond_tangling"  // names in version 0.1
+                               : name == "judged_to"  ? "scored_to"
+                                                      : name;
   const auto found =
       std::find_if(declared_.begin(), declared_.end(), [&](const Parameter& p) { return p.name == now; });
   if (found == declared_.end()) {

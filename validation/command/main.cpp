@@ -87,7 +87,7 @@ void add_list(CLI::App& app, Action& action) {
       ->allow_extra_args(false);
   command->add_option("--ctest", options->ctest, "write add_test entries for ctest to this file")->group("");
   command->add_option("--evidence", options->evidence, "folder that those tests write to")->group("");
-  command->add_option("--most-seconds", options->most_seconds, "limit of those tests; what it stops is skipped")
+  command->add_option("--most-seconds", options->most_seconds, "limit of those tests; cases stopped by it are skipped")
       ->group("");
   command->callback([options, &action] { action = [options] { return list(*options); }; });
 }

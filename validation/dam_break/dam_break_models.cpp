@@ -200,12 +200,19 @@ std::vector<Contender> column_contenders(const ColumnFront& measured, const Colu
   };
   const std::vector<double> three{0.5, 0.75, 1};
   return {
-      {"particles", "Gauss particles", "cell", Role::computed, ladder_to(sizes.particles, three), over,
+      {"particles", "Gauss particles", "cell size", Role::computed, ladder_to(sizes.particles, three), over,
        starting(start_particles)},
-      {"mesh", "Lagrangian mesh", "cell", Role::peer, ladder_to(sizes.mesh, three), over, starting(start_mesh)},
-      {"dirichlet", "Dirichlet cells", "cell", Role::peer, ladder_to(sizes.cells, three), over,
+      {"mesh", "Lagrangian mesh", "cell size", Role::peer, ladder_to(sizes.mesh, three), over, starting(start_mesh)},
+      {"dirichlet", "Dirichlet cells", "cell size", Role::peer, ladder_to(sizes.cells, three), over,
        starting(start_dirichlet)},
-      {"variable-mass", "variable mass", "cell", Role::peer, {sizes.cells}, over, starting(start_variable_mass), true},
+      {"variable-mass",
+       "variable mass",
+       "cell size",
+       Role::peer,
+       {sizes.cells},
+       over,
+       starting(start_variable_mass),
+       true},
       {"overlapping", "overlapping particles", "particle spacing", Role::data, ladder_to(sizes.overlapping, three),
        over, starting(start_overlapping)},
       {"sph", "SPH", "particle spacing", Role::peer, ladder_to(sizes.sph, three), over, starting(start_sph)}};

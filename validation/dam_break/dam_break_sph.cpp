@@ -13,7 +13,7 @@ or pulling a gate. Points count until the far wall is near.
 
 External results are scored by the same columns: `seiche score dam_break_sph` accepts a front computed with any method.
 The release time is unknown, but the front speed can be evaluated: a shift and a rate are fitted together, over all
-known points, or as far as the submitter's tank reaches (`judged_to`). The four points up to the wall of the default
+known points, or as far as the submitter's tank reaches (`scored_to`). The four points up to the wall of the default
 tank do not determine the rate.
 
 **What to look at.** The shift: 0.1 to 0.3 for Martin and Moyce, who melted a diaphragm. The Mach number: the usual
@@ -140,7 +140,7 @@ Judged judged_by(const Values& values) {
   }
   const ColumnFront data = column_front(values.text("data"), values);
   const double whole = data.tank > 0 ? data.tank - 0.1 : largest(data.X);
-  const double wanted = values.real("judged_to");
+  const double wanted = values.real("scored_to");
   return {data, wanted > 0 ? std::min(wanted, whole) : whole};
 }
 
@@ -180,7 +180,7 @@ void dam_break_sph(Case& c) {
             real("last", 3.2, "1", {0.01, 100}, "scaled time at the end"),
             integer("frames", 9, {2, 10000}, "instants whose particles are written for ParaView"),
             choice("data", "martin_moyce_tall_wide", data_choices(), "published front for comparison"),
-            real("judged_to", 0.0, "1", {0, 1000}, "X/a up to which a submitted front is scored; 0: all points")},
+            real("scored_to", 0.0, "1", {0, 1000}, "X/a up to which a submitted front is scored; 0: all points")},
            sph_dam_parameters({.alpha = 0.3}));
   c.study = Study(claims, compute, show, "Dalrymple and Rogers (2006)");
   c.submission = {.tables = wanted, .judge = judge};

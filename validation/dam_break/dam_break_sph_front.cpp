@@ -157,7 +157,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
       .at([](const Results& runs) { return runs.back().run.resolution(); })
       .check(
           "speed-uncertain",
-          "The front speed for 1.6 < T < 3 agrees with the measurement within the uncertainties of points and lattice.",
+          "The front speed for 1.6 < T < 3 agrees with the measurement within the uncertainties of points and "
+          "resolution.",
           "dX/dT for 1.6 < T < 3, in sqrt(2 g a)",
           [](const Results& runs) -> Measurement {
             const std::vector<double> speeds = of_all(runs, front_speed);

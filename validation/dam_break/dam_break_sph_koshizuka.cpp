@@ -88,7 +88,7 @@ void claims(const Values& values, const Claims<Results>& all) {
              Bound{.limit = 0.1, .reason = "both columns are released instantaneously"});
   claim_rms(claims, mps, "mps", {.limit = 2 * mps.uncertainty, .reason = "twice the reading of the curve"});
   const Bound reading{.limit = shifted_front(first.curve(), second.curve(), tank - 0.1).rms,
-                      .reason = "what one shift leaves between the two digitisations of the same figure"};
+                      .reason = "the difference after one shift between the two digitisations of the same figure"};
   claim_rms(claims, first, "first", reading);
   claim_rms(claims, second, "second", reading);
 }

@@ -96,7 +96,7 @@ FrontFit front_fit(Curve computed, const ColumnFront& data, double farthest, std
   const Counting count = counting(computed, data, farthest);
   if (count.used.size() < 3) {
     throw std::invalid_argument(text_of(count, data, farthest, computed) +
-                                ": three are needed; judged_to says how far a front is scored");
+                                ": three are needed; scored_to says how far a front is scored");
   }
   FrontFit fit{.points = count.used.size()};
   Normal n;

@@ -12,8 +12,9 @@ water. Steps are a fifth of the spacing, except SPH, which chooses its own. Each
 together.
 
 **What is compared.** Positions on the rim (markers, outline nodes, particles initially within a spacing of it) with the
-exact positions at t = 1, when the drop is five times as long as wide; the processor time until then; the change of energy and
-momentum. Each model then continues to t = 3, unless it breaks down or its rim error exceeds the minor semi-axis.
+exact positions at t = 1, when the drop is five times as long as wide; the processor time until then; the change of
+energy and momentum. Each model then continues to t = 3, unless it breaks down or its rim error exceeds the minor
+semi-axis.
 
 **What to look at.** The exact velocities are linear, and the space of the Gauss-principle particles contains them:
 their error is smaller by a factor of a hundred than all others, and they complete. The mesh error is first-order along
@@ -288,18 +289,18 @@ std::vector<Contender> drop_contenders(const StretchingDrop& drop, const DropSiz
     return [&drop, start](long n) { return start(drop, n); };
   };
   const std::vector<double> quarters{0.25, 0.5, 0.75, 1};
-  return {
-      {"particles", "Gauss particles", "ring", Role::computed, ladder_to(sizes.rings, {0.357, 0.5, 0.714, 1}), over(1),
-       starting(start_free_particles)},
-      {"mesh", "Lagrangian mesh", "cell", Role::peer, ladder_to(sizes.mesh, quarters), over(2), starting(start_mesh)},
-      {"dirichlet", "Dirichlet cells", "ring", Role::peer, ladder_to(sizes.cells, quarters), over(1),
-       starting(start_dirichlet)},
-      {"variable-mass", "variable mass", "ring", Role::peer, ladder_to(sizes.cells, quarters), over(1),
-       starting(start_variable_mass)},
-      {"overlapping", "overlapping particles", "particle spacing", Role::data,
-       ladder_to(sizes.overlapping, {0.25, 0.5, 0.75, 1}), over(1), starting(start_overlapping)},
-      {"sph", "SPH", "particle spacing", Role::peer, ladder_to(sizes.sph, {0.5, 0.7071, 1}), over(1),
-       starting(start_sph)}};
+  return {{"particles", "Gauss particles", "ring", Role::computed, ladder_to(sizes.rings, {0.357, 0.5, 0.714, 1}),
+           over(1), starting(start_free_particles)},
+          {"mesh", "Lagrangian mesh", "cell size", Role::peer, ladder_to(sizes.mesh, quarters), over(2),
+           starting(start_mesh)},
+          {"dirichlet", "Dirichlet cells", "ring", Role::peer, ladder_to(sizes.cells, quarters), over(1),
+           starting(start_dirichlet)},
+          {"variable-mass", "variable mass", "ring", Role::peer, ladder_to(sizes.cells, quarters), over(1),
+           starting(start_variable_mass)},
+          {"overlapping", "overlapping particles", "particle spacing", Role::data,
+           ladder_to(sizes.overlapping, {0.25, 0.5, 0.75, 1}), over(1), starting(start_overlapping)},
+          {"sph", "SPH", "particle spacing", Role::peer, ladder_to(sizes.sph, {0.5, 0.7071, 1}), over(1),
+           starting(start_sph)}};
 }
 
 const std::string source = "Dirichlet (1860); Frank, Discrete models of incompressible fluid (1994)";
@@ -364,8 +365,8 @@ void claim_kept(const Claims<Contest>& all, const Values& values) {
              "The energy change of SPH, compression included, is below the initial energy of compression, 1/(6 c^2).",
              "change over the energy of the stretching", energy_of_finest,
              Bound{.limit = 1.0 / (6 * 14 * 14),
-                   .reason = "the initial energy of compression, 1/(6 c^2): the time-step error must be below what the "
-                             "steps resolve"});
+                   .reason = "the initial energy of compression, 1/(6 c^2): the time-step error must be below the "
+                             "resolution of the steps"});
 }
 
 void claim_accuracy(const Claims<Contest>& all, const Values& values) {

@@ -176,7 +176,7 @@ void claims(const Values& values, const Claims<Results>& all) {
       "rms distance over that with linear fields alone", &Results::beside_linear,
       Bound{2, "as much again: an error budget shared equally by steps and splines"});
   claims.check(
-      "surface", "The distance of markers from the exact surface is below 1 % of the ring spacing.",
+      "surface", "The distance of the surface markers from the exact surface is below 1 % of the ring spacing.",
       "largest distance of a marker from its exact position [radius]",
       [](const Results& r) { return r.splines.surface; },
       Bound{0.01 * s.spacing(),

@@ -221,8 +221,8 @@ void claim_statistics(const SetUp& s, const Claims<Results>& all) {
       "incoherent part of the energy, mean over the copies",
       [](const Results& r) { return Estimate(r.incoherent_at).measured(); },
       Bound{.limit = 0.1,
-            .reason = "10 % of the energy is that of the exact flow at a third of its velocity: below that no eddy can "
-                      "be identified",
+            .reason = "10 % of the energy corresponds to the exact flow at a third of its velocity: below that no eddy "
+                      "can be identified",
             .expected = 1});
   claims.check(
       "kurtosis", "The kurtosis of the velocities minus the exact flow equals the Gaussian value, 3.",

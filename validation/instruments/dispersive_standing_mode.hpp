@@ -65,8 +65,8 @@ inline StandingBox stable(StandingBox box) {
   const double longest = 2 / std::sqrt(box.gravity / box.depth * stiffness);
   if (box.tau <= longest) return box;
   throw std::invalid_argument(
-      fmt::format("tau = {:g} is out of range: must not exceed {:.4g} with alpha = {:g}, gamma = {:g} and markers "
-                  "{:.3g} apart, or the shortest waves grow",
+      fmt::format("tau = {:g} is out of range: must not exceed {:.4g} with alpha = {:g}, gamma = {:g} and nodes {:.3g} "
+                  "apart, or the shortest waves grow",
                   box.tau, longest, box.alpha, box.gamma, box.spacing()));
 }
 

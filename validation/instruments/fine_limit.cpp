@@ -9,7 +9,7 @@ namespace seiche::validation {
 
 FineLimit fine_limit(const std::vector<double>& sizes, const std::vector<double>& values, double order) {
   if (sizes.size() < 2 || values.size() != sizes.size()) {
-    throw std::invalid_argument("the limit of fine lattices needs two lattices or more");
+    throw std::invalid_argument("the limit of fine grids needs two grids or more");
   }
   if (sizes.size() > 2) {
     const evidence::GridConvergence fit = evidence::grid_convergence(sizes, values, order);

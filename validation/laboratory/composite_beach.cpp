@@ -30,7 +30,7 @@ void composite_beach(Case& c) {
   c.title = "A solitary wave on a beach of three slopes before a wall";
   c.source = composite_beach_source;
   c.parameters = {choice("wave", "A", {"A", "B", "C"}, "the wave: H/h = 0.038 (A), 0.26 (B) or 0.68 (C)"),
-                  real("spacing", 0.02, "m", {0.005, 0.1}, "of the markers")};
+                  real("spacing", 0.02, "m", {0.005, 0.1}, "of the nodes")};
   set_laboratory<experiment>(c);
 }
 

@@ -28,7 +28,7 @@ Experiment experiment(const Values& /*values*/) {
 void composite_beach_breaking(Case& c) {
   c.title = "Breaking of a solitary wave on a beach of three slopes";
   c.source = composite_beach_source;
-  c.parameters = {real("spacing", 0.02, "m", {0.005, 0.1}, "of the markers")};
+  c.parameters = {real("spacing", 0.02, "m", {0.005, 0.1}, "of the nodes")};
   set_laboratory<experiment>(c);
   c.submission = {};  // others submit to composite_beach
 }

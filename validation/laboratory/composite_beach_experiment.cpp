@@ -16,7 +16,7 @@ const std::string miss =
     "wall, 0.024 m, while the gauge before the wall agrees";
 const std::string breaking_miss =
     "the measured height falls from H/h = 0.68 to 0.59 between gauges 4 and 6, before breaking on the slope; Serre's "
-    "solitary wave retains its height there and is broader than that of the Euler equations at this height, and "
+    "solitary wave retains its height there and is broader than the wave of the Euler equations at this height, and "
     "therefore runs too fast and loses more as a bore";
 
 /// Of a wave: its letter, the place of gauge 4, when the crest passes there, and how high [m].

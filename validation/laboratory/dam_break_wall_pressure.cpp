@@ -94,7 +94,7 @@ Experiment experiment(const Values& values) {
           .order = 1,
           .coarsenings = {1, 1.5, 2},
           .miss =
-              "cause unknown: the computed head is that of shallow water without friction, 0.8 to 1, compared with 0.6 "
+              "cause unknown: the computed head belongs to shallow water without friction, 0.8 to 1, compared with 0.6 "
               "measured"};
 }
 

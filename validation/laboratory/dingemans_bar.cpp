@@ -48,16 +48,16 @@ Submitted compute(const Run& run, double coarsening) {
 }
 
 Experiment experiment(const Values& /*values*/) {
-  Series part{
-      .name = "gauges",
-      .table = "dingemans_1994_bar",
-      .group = Column{"x", "m", "distance from the wavemaker"},
-      .abscissa = {"t", "s", "time"},
-      .quantity = {"eta", "m", "surface elevation"},
-      .input = 0.03,
-      .input_reason =
-          "amplitudes late in the record at the two gauges before the bar differ by 7 %: reflection from bar and beach",
-      .clock = Clock{.group = 3.04, .range = period / 2, .window = {22, 22 + 3 * period}}};
+  Series part{.name = "gauges",
+              .table = "dingemans_1994_bar",
+              .group = Column{"x", "m", "distance from the wavemaker"},
+              .abscissa = {"t", "s", "time"},
+              .quantity = {"eta", "m", "surface elevation"},
+              .input = 0.03,
+              .input_reason =
+                  "amplitudes at the end of the record at the two gauges before the bar differ by 7 %: reflection from "
+                  "bar and beach",
+              .clock = Clock{.group = 3.04, .range = period / 2, .window = {22, 22 + 3 * period}}};
   for (std::size_t k = 0; k < gauges.size(); ++k) {
     const Window window{starts[k], starts[k] + 3 * period};
     part.read({height(gauges[k], window), misfit(gauges[k], window)});
@@ -82,7 +82,7 @@ Experiment experiment(const Values& /*values*/) {
 void dingemans_bar(Case& c) {
   c.title = "Regular waves over a submerged bar: the flume of Dingemans";
   c.source = source;
-  c.parameters = {real("spacing", 0.04, "m", {0.02, 0.2}, "of the markers"), dispersion_parameter()};
+  c.parameters = {real("spacing", 0.04, "m", {0.02, 0.2}, "of the nodes"), dispersion_parameter()};
   set_laboratory<experiment>(c);
 }
 

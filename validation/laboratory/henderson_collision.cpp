@@ -84,7 +84,7 @@ Experiment experiment(const Values& /*values*/) {
 void henderson_collision(Case& c) {
   c.title = "Head-on collision of two solitary waves: profiles of the laboratory";
   c.source = source;
-  c.parameters = {real("spacing", 0.005, "m", {0.001, 0.02}, "of the markers")};
+  c.parameters = {real("spacing", 0.005, "m", {0.001, 0.02}, "of the nodes")};
   set_laboratory<experiment>(c);
 }
 

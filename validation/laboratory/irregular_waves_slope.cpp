@@ -132,7 +132,7 @@ Experiment experiment(const Values& values) {
 void irregular_waves_slope(Case& c) {
   c.title = "Shoaling and breaking of irregular waves on a slope";
   c.source = source;
-  c.parameters = {real("spacing", 0.025, "m", {0.01, 0.1}, "of the markers"),
+  c.parameters = {real("spacing", 0.025, "m", {0.01, 0.1}, "of the nodes"),
                   real("duration", 749.95, "s", {10, 749.95}, "that is recorded")};
   c.tiers = {Tier::quick, Tier::full};
   set_laboratory<experiment>(c);

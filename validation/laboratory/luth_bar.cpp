@@ -31,7 +31,7 @@ void luth_bar(Case& c) {
   c.title = "Regular waves over a submerged bar: the flume of Luth, Klopman and Kitou";
   c.source = luth_bar_source;
   c.parameters = {choice("wave", "A", {"A", "C"}, "the waves: 2.02 or 1.01 s"),
-                  real("spacing", 0.02, "m", {0.01, 0.1}, "of the markers"), dispersion_parameter()};
+                  real("spacing", 0.02, "m", {0.01, 0.1}, "of the nodes"), dispersion_parameter()};
   set_laboratory<experiment>(c);
 }
 

@@ -30,7 +30,7 @@ Experiment experiment(const Values& /*values*/) {
 void luth_bar_short(Case& c) {
   c.title = "Short waves over a submerged bar";
   c.source = luth_bar_source;
-  c.parameters = {real("spacing", {0.03, 0.02, 0.02}, "m", {0.01, 0.1}, "of the markers"), dispersion_parameter()};
+  c.parameters = {real("spacing", {0.03, 0.02, 0.02}, "m", {0.01, 0.1}, "of the nodes"), dispersion_parameter()};
   set_laboratory<experiment>(c);
   c.submission = {};  // others submit to luth_bar
 }

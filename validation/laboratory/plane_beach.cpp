@@ -44,7 +44,7 @@ Experiment experiment(const Values& values) {
                   .abscissa = {"x_over_d", "1", "distance from the shoreline at rest, positive offshore"},
                   .quantity = {"eta_over_d", "1", "surface elevation (the beach where dry)"},
                   .input = wave.input,
-                  .input_reason = "0.0005 depths in the wave height"};
+                  .input_reason = "0.0005 h in the wave height"};
   for (const double t : wave.instants) profiles.readings.push_back(misfit(t, {}));
   // Off the shore, where the beach that stands for a dry surface lies below the water.
   for (const double t : wave.with_crest) profiles.readings.push_back(highest(t, {1, 20}));

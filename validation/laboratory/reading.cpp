@@ -135,7 +135,7 @@ double moved_by_clock(const Measured& measured, Window window, bool over_length)
 }  // namespace
 
 const char* name(Kind kind) {
-  constexpr std::array<const char*, 9> names{"arrival", "place",    "height",    "run-up", "pressure",
+  constexpr std::array<const char*, 9> names{"arrival", "position", "height",    "run-up", "pressure",
                                              "period",  "velocity", "statistic", "misfit"};
   return names.at(static_cast<std::size_t>(kind));
 }

@@ -69,7 +69,7 @@ Experiment experiment(const Values& /*values*/) {
 void solitary_shoaling(Case& c) {
   c.title = "Shoaling of a solitary wave until breaking";
   c.source = source;
-  c.parameters = {real("spacing", 0.1, "depth", {0.02, 0.4}, "of the markers")};
+  c.parameters = {real("spacing", 0.1, "depth", {0.02, 0.4}, "of the nodes")};
   set_laboratory<experiment>(c);
 }
 

@@ -69,7 +69,7 @@ Experiment experiment(const Values& /*values*/) {
 void undular_bore_crests(Case& c) {
   c.title = "The first crest of an undular bore";
   c.source = source;
-  c.parameters = {real("spacing", {0.06, 0.04, 0.04}, "m", {0.01, 0.1}, "of the markers")};
+  c.parameters = {real("spacing", {0.06, 0.04, 0.04}, "m", {0.01, 0.1}, "of the nodes")};
   set_laboratory<experiment>(c);
 }
 

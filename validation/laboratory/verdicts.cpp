@@ -428,7 +428,7 @@ void judge(const Experiment& experiment, const Values& values, const Submitted& 
                   .resolution = no_clock          ? "the record is too short to set its clock"
                                 : present.empty() ? "no reading is taken of what was submitted"
                                                   : "no amplitude was submitted",
-                  .note = "nothing could be compared"}});
+                  .note = "no quantity could be compared"}});
     return;
   }
   std::vector<std::string> lost;

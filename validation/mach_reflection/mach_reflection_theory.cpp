@@ -128,7 +128,7 @@ void show(const Results& /*results*/, const Values& values, evidence::Exhibit& e
   const double amplitude = values.real("amplitude");
   exhibit.measure("kappa", theory_of(values).kappa());
   auto& panel = add_panel(exhibit, "wall", "Amplitude at the wall",
-                          fmt::format("Over the incident one, a = {:g} depths, by both parameters.", amplitude),
+                          fmt::format("Over the incident one, a = {:g} h, by both parameters.", amplitude),
                           {.x = "angle [deg]", .y = "a_w/a_i"});
   const std::vector<double> angles = evenly(1, 60, 237);
   for (const auto& [theory, label] : {std::pair{MachReflection::Theory::miles, "Miles"},

@@ -113,7 +113,7 @@ struct Growth {
 
   [[nodiscard]] double at(double place) const {
     if (!(place > distance.front() && place <= distance.back())) {
-      throw std::runtime_error(fmt::format("the stem was followed from {:g} to {:g} depths from the bend, not to {:g}",
+      throw std::runtime_error(fmt::format("the stem was followed from {:g} to {:g} h from the bend, not to {:g}",
                                            distance.front(), distance.back(), place));
     }
     return linear_at({distance, ratio}, place);
@@ -171,7 +171,7 @@ void claim_early(const Claims<Ladder>& claims, double angle) {
   constexpr double tank = 30;
   claims.check(
       "early-" + id_of(angle),
-      fmt::format("The stem amplitude at {:g} deg within {:g} depths of the bend stays between 1 and 2 times the "
+      fmt::format("The stem amplitude at {:g} deg within {:g} h of the bend stays between 1 and 2 times the "
                   "incident amplitude.",
                   angle, tank),
       "a_w/a_i there", [](const Ladder& ladder) { return ratio_at(ladder, tank); },
@@ -183,8 +183,8 @@ void claim_models(const Claims<Results>& claims, double amplitude, double angle,
   constexpr double tank = 30;
   claims.check(
       "models-" + id_of(angle),
-      fmt::format("The stem growth at {:g} deg, {:g} depths from the bend, agrees between hexahedra and columns.",
-                  angle, tank),
+      fmt::format("The stem growth at {:g} deg, {:g} h from the bend, agrees between hexahedra and columns.", angle,
+                  tank),
       "a_w/a_i - 1 there over the same of the columns, minus 1",
       [=](const Results& r) -> Measurement {
         const Measurement plain = ratio_at(r.at(columns), tank);
@@ -240,8 +240,8 @@ void draw(evidence::Exhibit& exhibit, const Results& all) {
                      {"frank-melville"});
   auto& panel =
       figure.panel({.x = "distance from the bend along the wall [depth]", .y = "a_w/a_i", .y_min = 1, .y_max = 4});
-  auto& map = exhibit.figure("surface", "The channel from above",
-                             "When the crest on the turned wall is 43 depths from the bend.");
+  auto& map =
+      exhibit.figure("surface", "The channel from above", "When the crest on the turned wall is 43 h from the bend.");
   for (const Ladder& ladder : all) {
     const Growth& finest = ladder.front();
     const double angle = degrees(finest.channel.angle);

@@ -154,7 +154,7 @@ void moving_pressure_regimes(Case& c) {
       real("tau_over_h", 0.25, "(g H)^(-1/2)", {0.01, 0.7}, "time step over the node spacing"),
   };
   c.published = {{.tiles = {"frank-pressure"}}};
-  c.study = Study(claims, compute, show, "the scheme is of second order");
+  c.study = Study(claims, compute, show, "the scheme is second-order accurate");
 }
 
 }  // namespace seiche::validation::cases::moving_pressure_regimes

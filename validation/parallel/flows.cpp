@@ -35,7 +35,7 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--layers", options.layers, "of hexahedra; 0: the 2DH model")
       ->check(CLI::Range(0, 100))
       ->capture_default_str();
-  app.add_option("--spacing", options.spacing, "of the lattice [depths]")->capture_default_str();
+  app.add_option("--spacing", options.spacing, "of the grid [h]")->capture_default_str();
   app.add_option("--angle", options.angle, "of a reflected wave [degrees]")
       ->check(CLI::Range(0.0, 75.0))
       ->capture_default_str();
@@ -199,7 +199,7 @@ void judge_reflection(evidence::Record& record, const Options& options, const Fi
        .source = "Serre's solitary wave, an exact wave of the model in the limit of fine cells"},
       {.value = findings.incident, .resolution = resolution},
       evidence::Bound{.limit = coarse,
-                      .reason = "(k h)^2 for a wave a sech^2(k s) on a lattice of spacing h",
+                      .reason = "(k h)^2 for a wave a sech^2(k s) on a grid of spacing h",
                       .expected = options.amplitude,
                       .relative = true});
   record.check({.id = "wall",
@@ -225,15 +225,17 @@ void judge_island(evidence::Record& record, const Options& options, const Findin
       evidence::Bound{.limit = 3 * options.step * options.step / 4,
                       .reason = "(omega tau)^2/4, twice an oscillator's amplitude of energy under drift, kick, drift, "
                                 "at the highest frequency sqrt(3 g/depth)"});
-  record.check({.id = "run-up",
-                .text = "The maximum run-up on the island is at most Synolakis' run-up on a plane beach of its slope.",
-                .quantity = "highest shoreline elevation",
-                .unit = "depth",
-                .source = "C. E. Synolakis, The runup of solitary waves, J. Fluid Mech. 185 (1987) 523"},
-               {.value = findings.run_up, .resolution = resolution},
-               evidence::Bound{.limit = 2.831 * std::sqrt(cotangent) * std::pow(options.amplitude, 1.25) * (1 + coarse),
-                               .reason = "2.831 sqrt(cot beta) (H/d)^(5/4), and (k h)^2 of it for a wave a sech^2(k s) "
-                                         "on a lattice of spacing h"});
+  record.check(
+      {.id = "run-up",
+       .text = "The maximum run-up on the island is at most Synolakis' run-up on a plane beach of its slope.",
+       .quantity = "highest shoreline elevation",
+       .unit = "depth",
+       .source = "C. E. Synolakis, The runup of solitary waves, J. Fluid Mech. 185 (1987) 523"},
+      {.value = findings.run_up, .resolution = resolution},
+      evidence::Bound{
+          .limit = 2.831 * std::sqrt(cotangent) * std::pow(options.amplitude, 1.25) * (1 + coarse),
+          .reason =
+              "2.831 sqrt(cot beta) (H/d)^(5/4), and (k h)^2 of it for a wave a sech^2(k s) on a grid of spacing h"});
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ three wavelengths the end nodes follow their exact paths, and the middle wave co
 group velocity and do not reach it in this time. The dispersive model starts from the exact wave of its own equations
 with the same height and length (`seiche exact serre_cnoidal`). Each model is refined in space and time together.
 
-**What is compared.** Elevations of markers, nodes or the surface curve with the exact wave: rms over the height, and
+**What is compared.** Elevations of nodes or of the surface curve with the exact wave: rms over the height, and
 the phase. The errors of particles and mesh converge to zero at second order, and so does the error of the dispersive
 model against the wave of its own equations. Against the Euler equations it converges to the distance of the two exact
 waves, mostly a difference of celerity, known beforehand. Times are shown and never scored.
@@ -240,9 +240,9 @@ struct Shown {
 };
 
 void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
-  const std::vector<Shown> models{{"Gauss particles", "cell", r.particles, Role::computed},
-                                  {"Lagrangian mesh", "row", r.mesh, Role::peer},
-                                  {"dispersive shallow water", "marker spacing", r.dispersive, Role::data},
+  const std::vector<Shown> models{{"Gauss particles", "cell size", r.particles, Role::computed},
+                                  {"Lagrangian mesh", "row height", r.mesh, Role::peer},
+                                  {"dispersive shallow water", "node spacing", r.dispersive, Role::data},
                                   {"SPH", "particle spacing", r.sph, Role::guide}};
   auto& cost = add_panel(exhibit, "cost", "Error against processor time",
                          "Rms error of the surface after one period, over the height; coarse to fine.",

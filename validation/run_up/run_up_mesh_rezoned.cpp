@@ -164,9 +164,9 @@ void claim_energy(const Climb& climb, double tau, const Claims<Results>& claims)
       .where("t = {:.2f}")
       .check(
           "energy-" + climb.id(),
-          fmt::format("The energy change equals the booked loss of rezoning within (omega tau)^2/4 ({}).",
+          fmt::format("The energy change equals the recorded loss by rezoning within (omega tau)^2/4 ({}).",
                       climb.title()),
-          "largest unbooked energy change over the wave energy",
+          "largest unrecorded energy change over the wave energy",
           [id = climb.id()](const Results& all) { return find(all, id).on.back().unbooked; },
           Bound{.limit = std::pow(wave.speed() * wave.decay_rate() * tau, 2) / 4,
                 .reason = "Verlet's energy of a mode oscillates by (omega tau)^2/4; omega is the rate of rise of the "

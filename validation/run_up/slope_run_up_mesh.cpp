@@ -284,8 +284,8 @@ void claim_sliding_toe(const Claims<std::vector<Climbed>>& claims, std::size_t l
               .operations = latest_runup / finest * sweeps,
               .scale = farthest,
               .reason =
-                  "one rounded position, at most 27 depths from the origin, per sweep, six sweeps per step, up to t = "
-                  "17 on the finest mesh; pressures of the wave height do the work of the wave energy over one depth"});
+                  "one rounded position, at most 27 h from the origin, per sweep, six sweeps per step, up to t = 17 on "
+                  "the finest mesh; pressures of the wave height do the work of the wave energy over one depth"});
   claims.at(fmt::format("h1 = {:g}", meshes[levels - 1].spacing))
       .where("A = {:g}")
       .check(

@@ -267,7 +267,7 @@ Meeting meet(const Run& run, double amplitude, const TankSizes& sizes) {
   std::vector<Contender> contenders = tank_contenders(tank, dispersive, sizes);
   contenders.push_back({.id = "shallow-water",
                         .name = "shallow water, finite volumes",
-                        .size_of = "cell",
+                        .size_of = "cell size",
                         .role = Role::data,
                         .resolutions = ladder_to(sizes.markers, {0.5, 1}),
                         .size = [](long n) { return 1 / static_cast<double>(n); },

@@ -339,7 +339,7 @@ void wall_run_up_mesh_limit(Case& c) {
   c.tiers = {Tier::full};
   c.parameters = {
       integer("rows", {8, 16, 16}, {4, 32}, "of the mesh; columns are twice as wide as rows are high"),
-      integer("heights", {2, 5, 5}, {1, 10}, "wave heights tried per 0.1 depths from 0.5 on"),
+      integer("heights", {2, 5, 5}, {1, 10}, "wave heights tried per 0.1 h from 0.5 h on"),
       real("highest", 0.7, "depth", {0.6, 0.8}, "of the heights tried"),
   };
   c.study = Study(claims, compute, show, source);

@@ -270,7 +270,7 @@ std::string Misreading::words(const std::string& unit, const std::string& abscis
     case Kind::unit:
       return fmt::format("fits the reference divided by {:.6g}: {}?", amount, unit_name(amount, unit));
     case Kind::inverted:
-      return "fits the reference upside down: its sign is turned";
+      return "fits the reference with reversed sign";
     case Kind::backwards:
       return "fits the reference read backwards: its axis points the other way";
     case Kind::abscissa:

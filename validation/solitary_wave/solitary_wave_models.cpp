@@ -143,7 +143,7 @@ void claim_accuracy(const Claims<Contest>& all, const Values& values) {
 }
 
 void claims(const Values& values, const Claims<Contest>& all) {
-  const Claims<Contest> claims = all.at(fmt::format("the finest, after {:g} depths", values.real("way")));
+  const Claims<Contest> claims = all.at(fmt::format("the finest, after {:g} h", values.real("way")));
   claim_accuracy(claims, values);
   const double steps = values.real("way") * values.number("particles") / 0.15;
   claim_energy(claims_of(claims, "particles"), particles, steps, 2,

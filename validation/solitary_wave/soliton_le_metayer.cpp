@@ -5,8 +5,8 @@ Basilisk (S. Popinet) includes it in the tests of its Green-Naghdi solver and pu
 
 **What is compared.** The largest elevation error over the amplitude, each method at its own points: nodes here, cell
 centres there; as a function of the number of cells, of the work (nodes times solves; a step of the one-step scheme is
-one solve) and of the processor time, from the initial nodes to the last step. For the one-step scheme also the error between
-its nodes, where the surface is straight.
+one solve) and of the processor time, from the initial nodes to the last step. For the one-step scheme also the error
+between its nodes, where the surface is straight.
 
 **How long the steps are.** Work is inverse to $h\tau$. With errors $Sh^2$ in space and $B\tau^p$ in time it is least
 where $Sh^2 = \tfrac{p}{2} B\tau^p$: equal for $p = 2$, also where both have opposite signs and cancel. Both are
@@ -359,10 +359,10 @@ void draw_wave(evidence::Exhibit& exhibit, const SerreWave& wave, const Picture&
 void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   exhibit.measure("tail_at_walls", r.tail);
   exhibit.measure("pilot_space_error", r.space_error);
-  auto& by_time = add_panel(exhibit, "work_precision", "Error against processor time",
-                            "Largest error of the elevation over the amplitude after 32 depths. Basilisk's time is "
-                            "from another machine.",
-                            {.x = "processor time [s]", .y = "error/a", .log_x = true, .log_y = true});
+  auto& by_time = add_panel(
+      exhibit, "work_precision", "Error against processor time",
+      "Largest error of the elevation over the amplitude after 32 h. Basilisk's time is from another machine.",
+      {.x = "processor time [s]", .y = "error/a", .log_x = true, .log_y = true});
   auto& figure =
       exhibit.figure("cells_and_work", "Error against cells and work", "The same, independent of the machine.");
   auto& by_cells = figure.panel({.x = "cells", .y = "error/a", .log_x = true, .log_y = true});
@@ -395,7 +395,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
 }  // namespace
 
 void soliton_le_metayer(Case& c) {
-  c.title = "Solitary wave over 32 depths: cost of accuracy";
+  c.title = "Solitary wave over 32 h: cost of accuracy";
   c.source =
       "O. Le Metayer, S. Gavrilyuk, S. Hank, A numerical scheme for the Green-Naghdi model, J. Comput. Phys. 229 "
       "(2010) 2034, section 6.1; S. Popinet, Basilisk, src/test/soliton.c";

@@ -307,7 +307,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const double omega = k * std::sqrt(depth + amplitude * theory.amplitude(1));
   own.check(
       "energy",
-      "The energy with the booked losses changes by at most (omega tau)^2/8, the swing of the one-step scheme.",
+      "The energy plus the recorded losses changes by at most (omega tau)^2/8, the swing of the one-step scheme.",
       "largest change over the initial kinetic energy", [](const Passage& p) { return p.run.energy_defect; },
       Bound{.limit = std::pow(omega * tau, 2) / 8,
             .reason = "(omega tau)^2/8, by which the energy of the one-step scheme oscillates; omega = k c of the "
@@ -370,7 +370,7 @@ void draw_way(const Results& r, evidence::Exhibit& exhibit) {
 void draw_budget(const Results& r, evidence::Exhibit& exhibit) {
   auto& figure = exhibit.figure("budget", "Budget of energy",
                                 "Over the initial kinetic energy. Dissipated: energy taken by the stabilisation, "
-                                "booked step by step; below, for all meshes.");
+                                "recorded step by step; below, for all meshes.");
   const SolitaryRun& own = r.own().run;
   auto& parts = figure.panel({.x = "t [sqrt(depth/g)]", .y = "energy"});
   std::vector<double> sum = own.kinetic;
@@ -386,9 +386,10 @@ void draw_budget(const Results& r, evidence::Exhibit& exhibit) {
 void show(const Results& r, const Values&, evidence::Exhibit& exhibit) {
   draw_way(r, exhibit);
   draw_budget(r, exhibit);
-  evidence::Table& meshes = add_table(exhibit, "meshes", "Crests on finer meshes", "At the end.",
-                                      {"rows", "a_1 [depth]", "a_2 [depth]", "a_3 [depth]", "reflected [depth]",
-                                       "dissipated [1]", "energy with booked [1]", "largest drift of a cell [cell]"});
+  evidence::Table& meshes =
+      add_table(exhibit, "meshes", "Crests on finer meshes", "At the end.",
+                {"rows", "a_1 [depth]", "a_2 [depth]", "a_3 [depth]", "reflected [depth]", "dissipated [1]",
+                 "energy plus recorded losses [1]", "largest drift of a cell [cell]"});
   const double a = r.wave.amplitude();
   for (const Passage& p : r.passages) {
     std::vector<Cell>& row = meshes.rows.emplace_back(1, fmt::format("{}", p.run.rows));

@@ -307,7 +307,7 @@ void draw_frequencies(evidence::Exhibit& exhibit, const std::vector<Frequencies>
                               {.x = "a/H", .y = "Omega/omega - 1"});
   const std::vector<double> fine = evenly(0, 0.1, 41);
   for (const Frequencies& one : all) {
-    frequency.line(fmt::format("{:g} depths", one.wavelength), fine,
+    frequency.line(fmt::format("L = {:g} h", one.wavelength), fine,
                    each(fine, [&](double a) { return in_water(one.wavelength) * a * a; }), Role::exact);
     frequency.points("measured", amplitudes, one.changes, Role::data);
   }

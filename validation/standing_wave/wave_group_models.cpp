@@ -165,7 +165,7 @@ void claims(const Values& values, const Claims<Results>& all) {
         .check(
             model.id + "-beside-linear",
             fmt::format("The surface error is below a quarter of linear theory's error: {}.", model.name),
-            "rms error of the surface over that of linear theory",
+            "rms error of the surface over the error of linear theory",
             [id = model.id](const Results& r) { return r.contest.of(id).finest().error / r.linear; },
             Bound{.limit = 0.25,
                   .reason = "the error of linear theory measures the nonlinearity of the group: below a quarter of it "

@@ -133,7 +133,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
   claims.at(fmt::format("N = {}", finest))
       .from("conservation law of mass")
       .check(
-          "mass", "The mass change equals inflow minus outflow to round-off.", "mass minus the booked mass [m^2]",
+          "mass", "The mass change equals inflow minus outflow to round-off.", "mass minus the recorded mass [m^2]",
           [](const Results& r) { return r.finest().mass_defect; },
           open_ends_roundoff({.length = channel.length(),
                               .depth = channel.at(channel.length()).depth,

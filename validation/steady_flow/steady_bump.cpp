@@ -234,7 +234,8 @@ void claim_orders(const Claims<Settling>& claims, const Regime& regime) {
       claim("discharge-below", "The discharge downstream of the jump equals the inflow within 1 %",
             "mean |q/q_in - 1|"),
       [](const Settling& r) { return r.errors.back().below_jump_discharge.value(); },
-      Bound{.limit = 0.01, .reason = "what passes the jump makes waves; 1 %, the uncertainty of a measuring weir"});
+      Bound{.limit = 0.01,
+            .reason = "fluctuations at the hydraulic jump emit waves; 1 %, the uncertainty of a measuring weir"});
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
@@ -252,7 +253,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
     here.check(
         regime.name + "-mass",
         fmt::format("The mass change equals inflow minus outflow to round-off ({}).", regime.name),
-        "mass minus the booked mass [m^2]", [](const Settling& r) { return r.finest.mass_defect; },
+        "mass minus the recorded mass [m^2]", [](const Settling& r) { return r.finest.mass_defect; },
         open_ends_roundoff({.length = regime.flow.bump().length,
                             .depth = depth,
                             .discharge = regime.flow.discharge(),

@@ -23,17 +23,18 @@ constexpr Scheme conservative{.stepping = Stepping::conservative};
 
 Roundoff places(double operations, double scale) {
   return {operations, scale,
-          "a rounded place, up to the water's length, for each coordinate of a cell per step or stage and over a "
+          "a rounded position, up to the water's length, for each coordinate of a cell per step or stage and over a "
           "cell's side"};
 }
 
-TEST_CASE("sloshing water on a Lagrangian mesh keeps energy and areas with the conservative scheme", "[conservation]") {
+TEST_CASE("sloshing water on a Lagrangian mesh conserves energy and areas with the conservative scheme",
+          "[conservation]") {
   Check check("lagrangian_mesh_energy", "Sloshing on a Lagrangian mesh: energy and areas",
               "Water is released with a surface of $0.1\\cos(\\pi x/6)$ and sloshes until t = 8: in a box, against an "
-              "inclined wall, with a toe that stays and one that is rounded over 0.25 to either side, over a bump "
-              "along which the bottom's nodes slide. The fully conservative scheme takes the mean of the cubic "
-              "potential's gradient over a step, the Jacobian at its middle and, on curves, chords: energy and areas "
-              "are exact. Its compositions to fourth order inherit both.");
+              "inclined wall, with a fixed toe and with one rounded over 0.25 to either side, over a bump along which "
+              "the bottom's nodes slide. The fully conservative scheme takes the mean of the cubic potential's "
+              "gradient over a step, the Jacobian at its middle and, on curves, chords: energy and areas are exact. "
+              "Its compositions to fourth order inherit both.");
   auto all = basins();
   // Nodes that may slide around the toe need the hourglass potential, or the last cells tangle.
   all.emplace_back("an inclined wall, around whose rounded toe nodes slide, with the hourglass potential", [] {
@@ -69,16 +70,17 @@ Roundoff of_nodes(const HexahedralProblem& problem, double largest_arm) {
           "nodes' momenta (times their largest distance from the axis) add up as squares"};
 }
 
-TEST_CASE("hexahedra keep momenta without walls, energy and volumes with the conservative scheme", "[conservation]") {
-  Check check("lagrangian_mesh_3d_invariants", "Hexahedra: momenta, energy and volumes",
-              "A free body of 6 x 5 x 4 cells, off a cube at random, without gravity, and water of 12 x 12 x 2 cells "
-              "under gravity that no side holds, 100 steps of 0.01: momenta are kept for any multipliers, so that the "
-              "solver's tolerance is 1e-6 in one run and 1e-13 in the other; kinetic energy changes by the multipliers "
-              "times what the solver leaves of the rates of volumes, and is judged with the tight tolerance. A hump of "
-              "0.3 depths in a box of 20 x 20 x 2 cells until t = 10, and one of 0.1 over a bottom bent along both "
-              "axes, 12 x 8 x 3 cells, beside an oblique wall until t = 6: volumes are cubic and the potential energy "
-              "quartic along a step, so that the conservative scheme knows their mean gradients exactly. A node on the "
-              "bottom is one more constraint.");
+TEST_CASE("hexahedra conserve momenta without walls, energy and volumes with the conservative scheme",
+          "[conservation]") {
+  Check check(
+      "lagrangian_mesh_3d_invariants", "Hexahedra: momenta, energy and volumes",
+      "A free body of 6 x 5 x 4 cells, perturbed at random from a cube, without gravity, and water of 12 x 12 x 2 "
+      "cells under gravity without sides, 100 steps of 0.01: momenta are conserved for any multipliers, so that the "
+      "solver's tolerance is 1e-6 in one run and 1e-13 in the other; kinetic energy changes by the multipliers times "
+      "the solver's residual of the rates of volumes, and is assessed with the tight tolerance. A hump of a/h = 0.3 in "
+      "a box of 20 x 20 x 2 cells until t = 10, and one of 0.1 over a bottom bent along both axes, 12 x 8 x 3 cells, "
+      "beside an oblique wall until t = 6: volumes are cubic and the potential energy quartic along a step, so that "
+      "the conservative scheme has their mean gradients exactly. A node on the bottom is one more constraint.");
   for (const double tolerance : {1e-6, 1e-13}) {
     const std::string solver = tolerance == 1e-6 ? ", loose solver" : ", tight solver";
     HexahedralProblem body = moving_body({.tolerance = tolerance}), water = spreading_water({.tolerance = tolerance});
@@ -111,12 +113,12 @@ TEST_CASE("hexahedra keep momenta without walls, energy and volumes with the con
                        "for e = exp(-1.2 r^2), 2.6 square depths"},
               hump.model.potential_energy(hump.start.q)},
              {"volume_worst", places(60 * 24, 6 / 0.2), hump.cell()}});
-  check.holds("The distance of bed nodes from the bed is zero to round-off.", {off.bottom.value()},
-              Roundoff{60 * 3, 6,
-                       "three rounded places, up to 6 depths, per step; the bottom is of degree three, and Gauss's "
-                       "rule exact"});
+  check.holds(
+      "The distance of bed nodes from the bed is zero to round-off.", {off.bottom.value()},
+      Roundoff{60 * 3, 6,
+               "three rounded positions, up to 6 h, per step; the bottom is of degree three, and Gauss's rule exact"});
   check.holds("The distance of sliding bed nodes from the oblique wall is zero to round-off.", {off.wall.value()},
-              Roundoff{60 * 2, 6, "two rounded places, up to 6 depths, per step"});
+              Roundoff{60 * 2, 6, "two rounded positions, up to 6 h, per step"});
 }
 
 /// Rounding of the momenta of all nodes, each of which changes by the forces of four cells in a step.
@@ -138,18 +140,18 @@ Roundoff of_energies(double steps, double nodes) {
       "nodes the energy is spread; and of the energies themselves"};
 }
 
-TEST_CASE("water in 2DH keeps momenta without sides, energy and volumes over any bottom", "[conservation]") {
-  Check check("dispersive_2dh_invariants", "Two-dimensional horizontal model: momenta, energy and volumes",
-              "24 x 24 cells of half a depth, off a square at random, sheared and stirred at random, without walls, "
-              "100 steps of 0.03: momenta are kept for any multipliers, with the solver's tolerance 1e-6 and 1e-13. "
-              "The blob stands on its bottom with nothing around it, or lies in still water: elevations count from its "
-              "level, and a side without a wall feels that water's pressure. Without gravity, a swirl and its "
-              "squeezing in a box keep their kinetic energy. A hump is released in a box and sloshes until t = 5, over "
-              "a level bottom, over a polynomial of degree four and over a bump. Volumes and potential energy are "
-              "polynomials along a step, so that Simpson's mean of their gradients is exact; what the bottom adds to "
-              "volumes is made exact along the step. Over uneven bottoms velocities turn with the bottom's tangent "
-              "plane, which changes no energy. The energy of improved dispersion, which is no polynomial, has a "
-              "discrete gradient in closed form.");
+TEST_CASE("water in 2DH conserves momenta without sides, energy and volumes over any bottom", "[conservation]") {
+  Check check(
+      "dispersive_2dh_invariants", "Two-dimensional horizontal model: momenta, energy and volumes",
+      "24 x 24 cells of width h/2, perturbed at random from squares, sheared and stirred at random, without walls, 100 "
+      "steps of 0.03: momenta are conserved for any multipliers, with the solver's tolerance 1e-6 and 1e-13. The blob "
+      "stands on its bottom as an isolated body, or lies in still water: elevations count from its level, and a side "
+      "without a wall feels that water's pressure. Without gravity, a swirl and its squeezing in a box conserve their "
+      "kinetic energy. A hump is released in a box and sloshes until t = 5, over a level bottom, over a polynomial of "
+      "degree four and over a bump. Volumes and potential energy are polynomials along a step, so that Simpson's mean "
+      "of their gradients is exact; the bottom's contribution to volumes is made exact along the step. Over uneven "
+      "bottoms velocities turn with the bottom's tangent plane, which changes no energy. The energy of improved "
+      "dispersion, which is no polynomial, has a discrete gradient in closed form.");
   for (const bool stands : {true, false}) {
     const std::string where = stands ? "Standing" : "In still water";
     for (const double tolerance : {1e-6, 1e-13}) {
@@ -233,7 +235,7 @@ Drift drift(Integrator integrator, double tau, int steps) {
           ledger.largest_defect("volume_worst"), modified.value()};
 }
 
-TEST_CASE("a free patch of fluid keeps energy, momenta and areas", "[conservation]") {
+TEST_CASE("a free patch of fluid conserves energy, momenta and areas", "[conservation]") {
   Check check("lagrangian_mesh_invariants", "Free patch of fluid: invariants",
               "Square of 8 x 8 cells of constant area, no potential, sheared and bent by its initial velocity, to t = "
               "1. Areas are bilinear: $V_s(r) - (\\tau^2/4)V_s(u)$ is exactly constant with the one-step scheme, and "

@@ -117,7 +117,7 @@ double gauss(const bilinear_patch::Corners& x, const bilinear_patch::Corners& y,
   return sum;
 }
 
-TEST_CASE("gradients of the 2DH model's volumes and energy are those of differences", "[conservation]") {
+TEST_CASE("gradients of the 2DH model's volumes and energy agree with differences", "[conservation]") {
   Check check(
       "dispersive_2dh_gradients", "Two-dimensional horizontal model: gradients",
       "6 x 5 cells off a rectangle at random below a curved surface: every entry of the gradients of all volumes, over "
@@ -140,22 +140,22 @@ TEST_CASE("gradients of the 2DH model's volumes and energy are those of differen
   exact("Gradients of cell volumes over a level bottom equal differences.", volume_gradient_error(level),
         {.operations = 200,
          .scale = 0.4 / (2 * difference_step),
-         .reason = "over twice the step: two volumes of 0.4 in sixty operations each, and two places up to 7 whose "
+         .reason = "over twice the step: two volumes of 0.4 in sixty operations each, and two positions up to 7 whose "
                    "rounding moves faces of 0.35, as much as eighty of these"});
   claim("Gradients of cell volumes over a polynomial bottom equal differences.", volume_gradient_error(polynomial));
   claim("Gradients of cell volumes over a bump equal differences.", volume_gradient_error(bump));
   exact("Gradients of the potential energy equal differences.", force_error(level),
         {.operations = 64,
          .scale = level.potential_energy(level.state().q) / (2 * difference_step),
-         .reason = "over twice the step: two sums over 30 cells, rounded up to the energy, and the places"});
+         .reason = "over twice the step: two sums over 30 cells, rounded up to the energy, and the positions"});
   claim("Gradients of the potential energy, improved dispersion included, equal differences.", force_error(improved));
 }
 
 TEST_CASE("a bilinear patch is the mean of its two triangulations and its integrals are exact", "[conservation]") {
   Check check("bilinear_patch_identities", "Bilinear patches: identities",
               "1000 quadrilaterals with random corners. The volume below a patch is the mean of those below the two "
-              "pairs of triangles that its diagonals cut, and, as its moment, what Gauss's rule of 3 x 3 points gives, "
-              "which is exact for these integrands.");
+              "pairs of triangles that its diagonals cut, and, like its moment, agrees with Gauss's rule of 3 x 3 "
+              "points, which is exact for these integrands.");
   std::minstd_rand random(7);
   std::uniform_real_distribution<double> uniform(-0.2, 0.2);
   Worst mean, volume_error, moment_error;

@@ -78,17 +78,16 @@ struct Channel {
   }
 };
 
-TEST_CASE("waves of the 2DH model along one axis are those of the one-dimensional model", "[conservation]") {
-  Check check(
-      "dispersive_2dh_reduction", "Two-dimensional horizontal model: waves along one axis",
-      "A channel of 30 depths with walls all around, 60 columns, 100 steps of 0.2: a jet of 0.4 in still water "
-      "over a level bottom, without and with improved dispersion, and water of equal depth 1 over a slope of "
-      "1:50, and over one that is bent, that runs down with a jet of 0.2 in it. One to four rows of the plan "
-      "model, along x and along y, and the one-dimensional model give the same places, elevations and "
-      "velocities; nothing moves across the channel. The depth is uniform at the beginning, for the models "
-      "share the water of a sloping cell differently: the one-dimensional one splits it at its middle, the plan "
-      "model gives equal parts to its corners. On the bent slope columns turn with the bottom's normal; there "
-      "the conservative steps of the two are not ended alike.");
+TEST_CASE("waves of the 2DH model along one axis agree with the one-dimensional model", "[conservation]") {
+  Check check("dispersive_2dh_reduction", "Two-dimensional horizontal model: waves along one axis",
+              "A channel 30 h long with walls all around, 60 columns, 100 steps of 0.2: a jet of 0.4 in still water "
+              "over a level bottom, without and with improved dispersion, and water of equal depth 1 over a slope of "
+              "1:50, and over one that is bent, that runs down with a jet of 0.2 in it. One to four rows of cells of "
+              "the 2DH model, along x and along y, and the one-dimensional model give the same positions, elevations "
+              "and velocities; transverse displacements are zero. The depth is uniform at the beginning, for the "
+              "models share the water of a sloping cell differently: the one-dimensional one splits it at its middle, "
+              "the 2DH model gives equal parts to its corners. On the bent slope columns turn with the bottom's "
+              "normal; there the conservative steps of the two models end by different criteria.");
   for (const Channel& channel :
        {Channel{"level bottom"}, Channel{.name = "improved dispersion", .gamma = 1.0 / 15},
         Channel{.name = "plane slope", .tilt = 0.02, .speed = 0.2, .middle = 12},
@@ -119,18 +118,19 @@ TEST_CASE("waves of the 2DH model along one axis are those of the one-dimensiona
         const bool bent = channel.bend != 0 && stepping == Stepping::conservative;
         const evidence::Criterion same =
             Roundoff{(channel.level() ? 2 : 4) * steps, length,
-                     "both models round places up to the channel's length once in a step, and the integral of an "
+                     "both models round positions up to the channel's length once in a step, and the integral of an "
                      "uneven bottom under a cell, as long, likewise; sweeps begin anew"};
         const evidence::Criterion near =
             Bound{1e-10,
                   "the one-dimensional model holds its frames from the fourth sweep of a step on: sweeps contract by "
                   "(omega tau)^2/4 = 0.03, so three leave 3e-5 of the first change of an angle, b'' a tau^2/2 = 1e-6 "
                   "with accelerations a of 0.03; times velocities of 0.3 and the step 2e-12, and 100 steps"};
-        check.holds(what + ": the rows move as the one-dimensional model.", {along.value()}, bent ? near : same);
+        check.holds(what + ": the motion of the rows agrees with the one-dimensional model.", {along.value()},
+                    bent ? near : same);
         const evidence::Criterion still =
             channel.level()
                 ? evidence::Criterion{Roundoff{2 * steps, 0.7 * static_cast<double>(rows),
-                                               "places and velocities up to the width are rounded twice in a step"}}
+                                               "positions and velocities up to the width are rounded twice in a step"}}
                 : Bound{0.5 * steps * tau * steps * tau * std::numeric_limits<double>::epsilon() * 2 / 0.7,
                         "the slope across is the difference of two heights up to 1, each known to 2.2e-16, over a "
                         "row's width of 0.7; under gravity 1 it displaces water by T^2/2 times the slope"};

@@ -60,11 +60,11 @@ double inflow_error(double spacing) {
   return error.value();
 }
 
-TEST_CASE("a moving window of the 2DH model holds the same wave as a long tank", "[conservation]") {
+TEST_CASE("the wave in a moving window of the 2DH model agrees with a long tank", "[conservation]") {
   Check check("dispersive_2dh_window", "A moving window around a solitary wave",
-              "A solitary wave of 0.3 in a window 60 long that follows it for 60 units of time, and in a tank that "
-              "holds its whole way: columns are dropped behind and appended ahead, where the wave is lower than 1e-9. "
-              "What the cut sends out is left behind, for nothing is faster than the wave.",
+              "A solitary wave of H/h = 0.3 in a window 60 long that follows it for 60 units of time, and in a tank "
+              "that holds its whole way: columns are dropped behind and appended ahead, where the wave is lower than "
+              "1e-9. Disturbances from the cut are left behind, because the solitary wave is the fastest.",
               source);
   const validation::PlanSolitonRun run{.spacing = 0.5, .tau = 0.2, .time = 60, .rows = 2, .tolerance = 1e-12};
   Flow tank = validation::plan_soliton_flow(run);
@@ -91,24 +91,23 @@ TEST_CASE("a moving window of the 2DH model holds the same wave as a long tank",
   auto& figure = check.figure("difference", "A moving window against a long tank",
                               "Largest difference of positions and elevations within 15 h of the crest.");
   figure.panel({.x = "t sqrt(g/H)", .y = "difference / H", .log_y = true}).line("window", times, differences);
-  check.that("same", "The wave in the moving window agrees with the long tank within 1e-7 depths.",
-             "largest difference of a place or elevation within 15 depths of the crest",
+  check.that("same", "The wave in the moving window agrees with the long tank within 1e-7 h.",
+             "largest difference of a position or elevation within 15 h of the crest",
              {.value = worst.value(), .resolution = "h = 0.5, tau = 0.2"},
-             Bound{1e-7, "the wave where columns are appended, 1e-9 each time, some 70 times; places add them up"});
+             Bound{1e-7, "the wave where columns are appended, 1e-9 each time, some 70 times; positions add them up"});
   check.from("interface of the model")
-      .that("shifts", "The distance of the moving window from the crest is 28 depths within 1.5.",
-            "x of the east side less that of the crest",
+      .that("shifts", "The distance of the moving window from the crest is 28 h within 1.5 h.",
+            "x of the east side minus x of the crest",
             {window.x()[window.shape().columns] - std::sqrt(1.3) * window.time()},
             Bound{1.5, "28 and up to one column of 0.5 more or less", 28});
 }
 
-TEST_CASE("a driven side of the 2DH model lets a solitary wave in", "[conservation]") {
-  Check check(
-      "dispersive_2dh_inflow", "A solitary wave through a driven side",
-      "Still water; the west side moves with the velocity of a solitary wave of 0.2 whose crest was 18 depths before "
-      "it. When the crest is 15 depths within, the surface within 6 depths of it is that of the exact wave, to second "
-      "order; steps of a tenth of a cell.",
-      source);
+TEST_CASE("a driven side of the 2DH model generates a solitary wave", "[conservation]") {
+  Check check("dispersive_2dh_inflow", "A solitary wave through a driven side",
+              "Still water; the west side moves with the velocity of a solitary wave of H/h = 0.2 whose crest starts "
+              "18 h west of it. When the crest is 15 h inside, the surface within 6 h of it converges to the exact "
+              "wave at second order; steps of a tenth of a cell.",
+              source);
   refine(check, {"h", {0.75, 0.5, 0.375, 0.25, 0.1875}},
          {{"order",
            "The error of the surface within 6 h of the crest converges at second order.",
@@ -116,7 +115,7 @@ TEST_CASE("a driven side of the 2DH model lets a solitary wave in", "[conservati
          inflow_error);
 }
 
-TEST_CASE("velocities carried to another bottom keep their energy, along walls too", "[conservation]") {
+TEST_CASE("velocities transferred to another bottom conserve energy, along walls too", "[conservation]") {
   constexpr double inertia = 0.4;
   const Lattice lattice = rectangular_lattice({.end = 4, .north = 3, .columns = 4, .rows = 3});
   const std::size_t n = lattice.shape.nodes();

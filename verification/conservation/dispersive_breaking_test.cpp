@@ -86,8 +86,8 @@ void claim_bore(Check& check, Flow& flow, const Steps& steps, const std::functio
     if (now.x[i] > last - 10) behind.add(now.elevation[i] + 1);
   }
   const std::string spread =
-      "what the start sheds leaves the front slowly: a tenth of a per cent of the rise is left after 60 depths of way, "
-      "and the loss goes with the cube of the rise; 1 % covers both and the O(tau^2) of the step";
+      "waves shed at the start leave the front slowly: 0.1 % of the rise is left after a distance of 60 h, and the "
+      "loss goes with the cube of the rise; 1 % covers both and the O(tau^2) of the step";
   check.from(source).that(
       "depth", "The maximum depth within 10 h of the front is the conjugate depth: no waves follow the front.",
       "highest surface within ten depths of the front over the conjugate depth", {behind.value()},
@@ -95,13 +95,13 @@ void claim_bore(Check& check, Flow& flow, const Steps& steps, const std::functio
   check.from(source).that("speed", "The speed of the front agrees with the bore within 1 %.",
                           "speed between t = 30 and 60", {(last - first) / (0.5 * end)},
                           Bound{0.01, spread, bore.speed(), true});
-  check.from(source).that("loss", "The energy that breaking takes agrees with the loss in the bore within 1 %.",
+  check.from(source).that("loss", "The energy dissipated by breaking agrees with the loss in the bore within 1 %.",
                           "energy taken per unit of time, t = 54 to 60", {(taken() - before) / (0.1 * end)},
                           Bound{0.01, spread, bore.energy_loss_rate(), true});
 }
 
-TEST_CASE("breaking keeps mass and momentum and takes energy", "[conservation]") {
-  Check check("dispersive_breaking_ledger", "What breaking keeps and takes",
+TEST_CASE("breaking conserves mass and momentum and dissipates energy", "[conservation]") {
+  Check check("dispersive_breaking_ledger", "Conservation and dissipation by breaking",
               "A block of water 1.5 above depth 1, 20 long, falls apart into two bores in a periodic channel of length "
               "80 that streams with 0.3, conservative scheme, t = 20, cells of 0.25.");
   const Channel channel{.bottom = std::make_shared<LevelBottom>(1.0), .period = 80, .breaking = Breaking{}};
@@ -125,25 +125,26 @@ TEST_CASE("breaking keeps mass and momentum and takes energy", "[conservation]")
   const double operations = steps * 320;
   check.from(source).that("momentum", "Momentum of the breaking wave is conserved to round-off.",
                           "largest error over the momentum", {flow.ledger().largest_defect("momentum") / momentum},
-                          Roundoff{operations, 4, "a rounded force per marker and step"});
+                          Roundoff{operations, 4, "a rounded force per node and step"});
   check.from("formula 10")
       .that("volumes", "The volume of every cell is conserved to round-off.", "largest defect",
-            {flow.ledger().largest_defect("volume_worst")}, Roundoff{steps, 40, "a rounded place, up to 40, per step"});
+            {flow.ledger().largest_defect("volume_worst")},
+            Roundoff{steps, 40, "a rounded position, up to 40, per step"});
   check.from("energy balance")
       .that("energy", "The sum of energy and dissipation by breaking is conserved to round-off.",
             "largest error over the energy", {flow.ledger().largest_defect("energy") / energy},
-            Roundoff{operations, 4, "a rounded term per marker and step"});
+            Roundoff{operations, 4, "a rounded term per node and step"});
   check.from("an implicit exchange between pairs")
-      .that("takes", "The breaking term gives back no energy in any step.", "largest gain over the energy",
-            {std::max(0.0, gain.value()) / energy}, Roundoff{320, 1, "a rounded term per marker"});
+      .that("takes", "The breaking term adds no energy in any step.", "largest gain over the energy",
+            {std::max(0.0, gain.value()) / energy}, Roundoff{320, 1, "a rounded term per node"});
   CHECK(taken > 0.005 * energy);
 }
 
-TEST_CASE("behind a breaking bore stands the conjugate depth", "[conservation]") {
+TEST_CASE("the depth behind a breaking bore is the conjugate depth", "[conservation]") {
   Check check("dispersive_breaking_bore", "A bore that breaks",
               "A dam 2.5 times as high as the water before it breaks, cells of 0.25, steps of a third of it, t = 60. "
               "The shallow-water equations' exact solution has a bore of Froude number 1.48; long behind its front the "
-              "breaking model must have its depth and its speed, without waves, and lose its energy.");
+              "breaking model must have the depth, speed and energy loss of that bore, without waves.");
   Flow flow = dam_break(2.5, 1.6 * end + 20, 0.25);
   claim_bore(
       check, flow, stable_steps(flow, 0.25 / 3),
@@ -153,10 +154,10 @@ TEST_CASE("behind a breaking bore stands the conjugate depth", "[conservation]")
       [&] { return flow.lost().breaking; });
 }
 
-TEST_CASE("behind a breaking bore in 2DH stands the conjugate depth", "[conservation]") {
+TEST_CASE("the depth behind a breaking bore in 2DH is the conjugate depth", "[conservation]") {
   Check check("breaking_bore_2dh", "A bore that breaks, in 2DH",
-              "The same bore in a channel of two rows; what is steeper than 30 degrees begins to break. The "
-              "conservative scheme keeps energy, so that all that goes is what breaking takes.");
+              "The same bore in a channel of two rows; fronts steeper than 30 degrees begin to break. The conservative "
+              "scheme conserves energy, so that breaking causes all of the energy loss.");
   constexpr double spacing = 0.25;
   plan::Flow flow = dam_break_in_plan(2.5, 1.6 * end + 20, spacing);
   const std::size_t count = flow.shape().columns + 1;
@@ -169,22 +170,22 @@ TEST_CASE("behind a breaking bore in 2DH stands the conjugate depth", "[conserva
       [&] { return (energy - flow.energy()) / (2 * spacing); });
 }
 
-TEST_CASE("a low bore stays undular", "[conservation]") {
+TEST_CASE("a weak bore remains undular", "[conservation]") {
   Check check("dispersive_breaking_undular", "A bore that does not break",
               "A dam 1.6 times as high as the water ahead: the Froude number of the bore is 1.2.");
   Flow flow = dam_break(1.6, 60, 0.25);
   march(flow, 20, stable_steps(flow, 0.08));
   check.from("Favre (1935): bores below 1.3 are undular")
-      .that("nothing", "The breaking term takes no energy from an undular bore.", "energy taken",
+      .that("nothing", "The breaking term dissipates no energy of an undular bore.", "energy taken",
             {flow.lost().breaking}, Bound{0, "no front breaks"});
 }
 
-TEST_CASE("a zigzag of markers over shallow water dies out", "[conservation]") {
-  Check check(
-      "dispersive_breaking_zigzag", "Markers that the water does not resolve",
-      "Markers 0.2 apart go up and down by turns by 1e-5. Volumes do not feel it, the potential energy does, with "
-      "$\\omega^2 = g/(3 \\alpha H)$. In water 0.1 deep this is no wave of the model, and the exchange of vertical "
-      "momentum damps it with $\\zeta = 0.2/0.1 = 2$ times what is critical. In water 0.3 deep it is left alone.");
+TEST_CASE("a node-to-node oscillation over shallow water is damped", "[conservation]") {
+  Check check("dispersive_breaking_zigzag", "Nodes that the water does not resolve",
+              "Nodes 0.2 apart are displaced alternately up and down by 1e-5. Volumes do not depend on it, the "
+              "potential energy does, with $\\omega^2 = g/(3 \\alpha H)$. In water 0.1 deep this is no wave of the "
+              "model, and the exchange of vertical momentum damps it with the damping ratio $\\zeta = 0.2/0.1 = 2$. In "
+              "water 0.3 deep it is not damped.");
   const auto zigzag = [](double depth) {
     const Channel channel{.bottom = std::make_shared<LevelBottom>(depth), .period = 3.2, .breaking = Breaking{}};
     Markers markers = still_markers(channel, equal_labels(channel, 0, 3.2, 16));

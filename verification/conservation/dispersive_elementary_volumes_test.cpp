@@ -85,9 +85,9 @@ Shape shape_of(const std::vector<Point>& outline) {
 
 void draw(Check& check, const Shore& shore, const std::vector<Shape>& volumes) {
   auto& figure = check.figure("model", "The discrete shallow-water model on a slope",
-                              "Markers on the surface; elementary volumes, bounded by verticals at the middle "
-                              "abscissas between markers; the particle of each volume, of its mass, drawn at its "
-                              "centre of area. The last marker, the tip, is where the surface meets the bottom.",
+                              "Nodes on the surface; elementary volumes, bounded by verticals at the middle abscissas "
+                              "between nodes; the particle of each volume, of its mass, drawn at its centre of area. "
+                              "The last node, the tip, is where the surface meets the bottom.",
                               {"frank-fig-4"});
   auto& panel = figure.panel(
       {.x = "x/H", .y = "y/H", .equal_aspect = true, .x_min = -7.2, .x_max = 0.8, .y_min = -1.25, .y_max = 0.6});
@@ -109,9 +109,9 @@ void draw(Check& check, const Shore& shore, const std::vector<Shape>& volumes) {
 
 TEST_CASE("particles of the dispersive model have the mass of their elementary volumes", "[conservation]") {
   Check check("conservation_elementary_volumes", "Elementary volumes of the discrete shallow-water model",
-              "The water between the surface through the markers and the bottom is cut by verticals at the middles "
-              "between markers. A particle has the mass of its piece, constant in time. Here the pieces are measured "
-              "as polygons, over a bottom with a corner inside a cell.",
+              "The water between the surface through the nodes and the bottom is cut by verticals at the middles "
+              "between nodes. A particle has the mass of its piece, constant in time. Here the pieces are measured as "
+              "polygons, over a bottom with a corner inside a cell.",
               source);
   const Shore shore;
   const Model model(shore.channel, shore.markers);
@@ -131,18 +131,19 @@ TEST_CASE("particles of the dispersive model have the mass of their elementary v
                 Roundoff{40, scale, "products x y of the polygon's corners, eight corners of five operations"});
   };
   claim("The masses are the areas of the elementary volumes.", worst_mass.value(), 7.2);
-  claim("The constant volumes are the areas between neighbouring markers.", worst_cell.value(), 7.2);
+  claim("The constant volumes are the areas between neighbouring nodes.", worst_cell.value(), 7.2);
   const std::span<const double> masses = model.masses();
   claim("The elementary volumes fill the water.", std::abs(std::accumulate(masses.begin(), masses.end(), 0.0) - water),
         7.2 * std::sqrt(12));
   const double triangle = model.rest_volumes().back();
-  check.that("tip", "The tip's particle has a quarter of its triangle.", "mass of the tip/area of the last cell",
-             {model.masses().back() / triangle}, Roundoff{10, 0.25, "two areas of five operations each", 0.25});
+  check.that("tip", "The mass of the tip's particle is a quarter of its triangle.",
+             "mass of the tip/area of the last cell", {model.masses().back() / triangle},
+             Roundoff{10, 0.25, "two areas of five operations each", 0.25});
   Channel consistent = shore.channel;
   consistent.tip_mass = TipMass::consistent;
   check.from("rigid acceleration of a plane surface over a plane slope")
-      .that("tip-consistent", "The consistent tip mass is a sixth of it.", "mass of the tip/area of the last cell",
-            {Model(consistent, shore.markers).masses().back() / triangle},
+      .that("tip-consistent", "The consistent mass of the tip is a sixth of its triangle.",
+            "mass of the tip/area of the last cell", {Model(consistent, shore.markers).masses().back() / triangle},
             Roundoff{10, 1.0 / 6, "two areas of five operations each", 1.0 / 6});
   draw(check, shore, volumes);
 }

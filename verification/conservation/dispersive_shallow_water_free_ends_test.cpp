@@ -36,13 +36,13 @@ double size_of_momenta(const Flow& flow) {
   return std::sqrt(squares);
 }
 
-TEST_CASE("a patch of water with free ends keeps momentum, and energy with the conservative stepping",
+TEST_CASE("a patch of water with free ends conserves momentum, and energy with the conservative stepping",
           "[conservation]") {
   Check check(
-      "dispersive_free_ends", "A free patch of water keeps what nothing acts on",
-      "Ten depths of water on a level bottom, ends that stand free like dams just broken, moving and heaped to one "
-      "side. It collapses to both sides. Forces between cells are opposite, so that momentum is kept by any scheme; "
-      "the centre of mass moves uniformly; the conservative stepping keeps energy and volumes too.");
+      "dispersive_free_ends", "A free patch of water: conservation without external forces",
+      "Water over a length of 10 h on a level bottom, with free ends like dams just broken, moving and heaped to one "
+      "side, collapses to both sides. Forces between cells are opposite, so that momentum is conserved by any scheme; "
+      "the centre of mass moves uniformly; the conservative stepping conserves energy and volumes too.");
   auto& panel = check.figure("patch", "The patch collapses", "Surface by the conservative stepping, t = 0 to 5.")
                     .panel({.x = "x", .y = "elevation"});
   for (const Stepping stepping : {Stepping::one_step, Stepping::one_step_feedback, Stepping::conservative}) {
@@ -71,13 +71,14 @@ TEST_CASE("a patch of water with free ends keeps momentum, and energy with the c
       check.holds(id + "-" + what + ": " + text, {value}, Roundoff{steps, magnitude, reason + ", once per step"});
     };
     claim("momentum", "Momentum is conserved to round-off between free ends.", flow.ledger().largest_defect("momentum"),
-          scale.value(), "rounding of each marker's m|u|, whose squares add up");
-    claim("centre", "The centre of mass moves uniformly.", off_course.value(), 2 * half_length, "rounding of a place");
+          scale.value(), "rounding of each node's m|u|, whose squares add up");
+    claim("centre", "The centre of mass moves uniformly.", off_course.value(), 2 * half_length,
+          "rounding of a position");
     if (!conservative) continue;
     claim("energy", "Energy is conserved to round-off between free ends.", flow.ledger().largest_defect("energy"),
           energy + flow.model().mass(), "rounding of the energy, which counts the bottom's");
     claim("volume", "The volume of every cell is conserved to round-off.", flow.ledger().largest_defect("volume_worst"),
-          2 * half_length, "rounding of a place");
+          2 * half_length, "rounding of a position");
   }
 }
 

@@ -115,21 +115,21 @@ Defects known(Check& check, const std::string& scheme, const Defects& d, double 
   check.holds(scheme + ": energy.", {d.energy},
               Bound{0.1,
                     "two digits are printed (5 %), and 240 cells of about 0.25 instead of 246 would change the energy "
-                    "defects by 5 to 10 %",
+                    "errors by 5 to 10 %",
                     energy, true});
   check.holds(scheme + ": volume of the worst cell.", {d.volume / spacing},
               Bound{0.05, "two digits are printed", volume, true});
   return d;
 }
 
-TEST_CASE("a solitary wave of dispersive shallow water: what each scheme conserves", "[conservation]") {
+TEST_CASE("a solitary wave of dispersive shallow water: conservation by each scheme", "[conservation]") {
   Check check(
       "dispersive_solitary_conservation", "Dispersive shallow water: conservation by each scheme",
       "Solitary wave of amplitude 0.3 in a periodic channel of depth 1 and length 60, cells of 0.25, $t \\le 100$, "
       "almost two rounds. Energies are relative to the wave's, momenta too. Momentum is exact with every scheme. The "
       "one-step scheme errs in energy and volumes by $O(\\tau^2)$, with bounds. Feedback of the volumes makes their "
-      "error $O(\\tau^3)$. The fully conservative scheme keeps everything to round-off. The one-step energy is "
-      "$c\\tau^2 - d\\tau^4$ with $c = 2.3\\times10^{-4}$, $d = 0.011$: at $\\tau = 0.1$ the second term is a half of "
+      "error $O(\\tau^3)$. The fully conservative scheme conserves everything to round-off. The one-step energy is "
+      "$c\\tau^2 - d\\tau^4$ with $c = 2.3\\times10^{-4}$, $d = 0.011$: at $\\tau = 0.1$ the second term is half of "
       "the first, so that the ratio 4 under halving of the step is seen below $\\tau = 0.05$ only.",
       source);
   std::vector<Defects> halved;
@@ -145,7 +145,7 @@ TEST_CASE("a solitary wave of dispersive shallow water: what each scheme conserv
   for (std::size_t k = 2; k < halved.size(); ++k) {
     check.holds(fmt::format("The energy error falls to a quarter with half the step {:g} (one-step scheme).",
                             0.1 / std::pow(2.0, static_cast<double>(k - 1))),
-                {halved[k - 1].energy / halved[k].energy}, Bound{1, "what the term of fourth order leaves of it", 4});
+                {halved[k - 1].energy / halved[k].energy}, Bound{1, "the remainder due to the fourth-order term", 4});
   }
   const Defects c = solitary_defects(conservative, 0.05), held = solitary_defects(conservative_feedback, 0.05);
   Largest momentum;
@@ -161,7 +161,7 @@ TEST_CASE("a solitary wave of dispersive shallow water: what each scheme conserv
              Roundoff{static_cast<double>(c.steps), 1, "one rounded energy per step"});
   // Rounding a place between 32 and 60 errs by ulp/sqrt(12) = 2e-15; two markers, 2000 steps: 1.3e-13.
   const std::string volume_reason =
-      "places up to 60 are rounded by 2e-15 rms; two of them times the depth in 2000 steps walk 1.3e-13, and the "
+      "positions up to 60 are rounded by 2e-15 rms; two of them times the depth in 2000 steps walk 1.3e-13, and the "
       "largest of 246 cells at all times goes to five of it";
   check.that("conservative-volume",
              "The volume of every cell is conserved within the 1e-12 of its rounding (conservative scheme).",
@@ -175,17 +175,17 @@ TEST_CASE("a solitary wave of dispersive shallow water: what each scheme conserv
                    "some 20 cells: 1e-14 of the wave's 0.3, which the next rounding returns; ten times that"});
   check.that("conservative-feedback-volume", "Volumes do not accumulate rounding (conservative scheme with feedback).",
              "largest volume error [depth^2]", {.value = held.volume, .resolution = "tau = 0.05"},
-             Roundoff{2, 60, "the places of two markers, up to 60"});
+             Roundoff{2, 60, "the positions of two nodes, up to 60"});
   check.that("momentum", "Momentum is conserved within the 1e-14 of a random walk of roundings with every scheme.",
              "largest relative momentum error", {momentum.value()},
              Bound{1e-14,
-                   "rates up to 0.26 of some 40 markers of mass 0.25 under the wave, each rounded by 3e-17 rms in up "
-                   "to 8000 steps, walk 4e-15, beside the wave's momentum of 1.6"});
+                   "rates up to 0.26 of some 40 nodes of mass 0.25 under the wave, each rounded by 3e-17 rms in up to "
+                   "8000 steps, walk 4e-15, beside the wave's momentum of 1.6"});
 }
 
 TEST_CASE("each sweep of the conservative step gains digits of energy and volume", "[conservation]") {
   Check check("dispersive_solitary_sweeps", "Dispersive shallow water: fixed numbers of sweeps",
-              "Solitary wave as before, step 0.1: defects of energy and volumes after 1 to 4 sweeps per step.");
+              "Solitary wave as before, step 0.1: errors of energy and volumes after 1 to 4 sweeps per step.");
   const std::array<double, 4> energies{7.6e-4, 1.3e-6, 1.6e-8, 6.2e-11};
   const std::array<double, 4> volumes{1.0e-5, 2.2e-8, 9.3e-11, 0};
   std::vector<double> count{1, 2, 3, 4}, energy, volume;
@@ -202,10 +202,10 @@ TEST_CASE("each sweep of the conservative step gains digits of energy and volume
     check.holds(text + ": energy.", {d.energy}, Bound{0.1, "two digits are printed", energies[k], true});
     check.holds(text + ": the volume of the worst cell is at round-off.", {d.volume},
                 Bound{1e-12,
-                      "places up to 60 are rounded by 2e-15 rms; two of them in 1000 steps walk 1e-13, the largest of "
-                      "246 cells at all times goes to five of it; the sweeps leave as much"});
+                      "positions up to 60 are rounded by 2e-15 rms; two of them in 1000 steps walk 1e-13, the largest "
+                      "of 246 cells at all times goes to five of it; the sweeps leave as much"});
   }
-  auto& panel = check.figure("sweeps", "Defects against sweeps", "Largest defects until t = 100.")
+  auto& panel = check.figure("sweeps", "Defects against sweeps", "Largest errors until t = 100.")
                     .panel({.x = "sweeps per step", .y = "relative defect", .log_y = true});
   panel.points("energy", count, energy);
   panel.points("volume of the worst cell", count, volume);
@@ -217,8 +217,8 @@ TEST_CASE("histories of energy and volumes of a solitary wave", "[conservation]"
               "with feedback its energy does drift, slowly. The fully conservative scheme stays at round-off.",
               source);
   auto& figure = check.figure("histories", "Energy and volumes in time",
-                              "Relative defect of the energy, of one-step schemes and of the fully conservative one, "
-                              "and of the volume of the worst cell.");
+                              "Relative error of the energy, with one-step schemes and the fully conservative one, and "
+                              "largest relative error of a cell's volume.");
   auto& energies = figure.panel({.x = "t", .y = "energy defect", .title = "energy, one-step"});
   auto& fine = figure.panel({.x = "t", .y = "energy defect", .title = "energy, fully conservative"});
   auto& volumes = figure.panel({.x = "t", .y = "volume defect", .title = "worst cell", .log_y = true});
@@ -248,7 +248,7 @@ TEST_CASE("histories of energy and volumes of a solitary wave", "[conservation]"
     };
     const std::size_t quarter = energy.size() / 4;
     check.that("bounded", "The energy error does not drift once the wave has settled (one-step scheme).",
-               "mean defect for t > 75 over that for 50 < t < 75",
+               "mean error for t > 75 over the mean for 50 < t < 75",
                {mean(3 * quarter, 4 * quarter) / mean(2 * quarter, 3 * quarter)},
                Bound{0.05, "ripples of 3 % from waves shed at the start; the drift with feedback makes it 1.4", 1});
   }
@@ -288,12 +288,12 @@ void check_round_off(Check& check, const std::string& id, const std::string& tex
   check.holds(id + "-energy: " + text + ": energy to round-off.", {defects.energy},
               Roundoff{steps, 1, "one rounded energy per step"});
   check.holds(id + "-volume: " + text + ": the volume of every cell to round-off.", {defects.volume},
-              Roundoff{steps, length, "one place, up to the channel's length, rounded per step, times the depth"});
+              Roundoff{steps, length, "one position, up to the channel's length, rounded per step, times the depth"});
 }
 
-TEST_CASE("run-up and full run-down on a mild slope: what each scheme conserves", "[conservation]") {
+TEST_CASE("run-up and full run-down on a mild slope: conservation by each scheme", "[conservation]") {
   Check check("dispersive_beach_conservation", "Dispersive shallow water: conservation on a beach",
-              "Solitary wave of 0.0185 depths on a slope 1:19.85, run-up and run-down until $t = 75$; cells of 0.25, "
+              "Solitary wave of H/h = 0.0185 on a slope 1:19.85, run-up and run-down until $t = 75$; cells of 0.25, "
               "steps of at most 1/16 and 0.3 of the longest stable one. The one-step scheme's errors are made at the "
               "largest draw-down, $67 < t < 70$, where a thin layer runs back under a steep front; until then its "
               "energy errs by $1.4\\times10^{-6}$.",
@@ -316,11 +316,11 @@ TEST_CASE("run-up and full run-down on a mild slope: what each scheme conserves"
                   82);
 }
 
-TEST_CASE("markers that cross the toe of a slope do not spoil conservation", "[conservation]") {
-  Check check("dispersive_corner_conservation", "Dispersive shallow water: markers that cross a corner of the bottom",
-              "Steep slopes: markers near the toe go back and forth over it, and the frame of a marker in the middle "
-              "of its step may flip from one sweep of the implicit step to the next. The frames are held from the "
-              "fourth sweep on. Energy and volumes do not depend on them, and stay exact.");
+TEST_CASE("conservation holds when nodes cross the toe of a slope", "[conservation]") {
+  Check check("dispersive_corner_conservation", "Dispersive shallow water: nodes that cross a corner of the bottom",
+              "Steep slopes: nodes near the toe go back and forth over it, and the frame of a node in the middle of "
+              "its step may flip from one sweep of the implicit step to the next. The frames are held from the fourth "
+              "sweep on. Energy and volumes do not depend on them, and stay exact.");
   for (const Beach& beach :
        {Beach{1, 0.5, 0.25, 40}, Beach{1, 0.5, 0.125, 40}, Beach{3.732, 0.1, 0.25, 40}, Beach{3.732, 0.1, 0.125, 40}}) {
     Flow flow = beach_flow(beach, {.stepping = Stepping::conservative});
@@ -395,14 +395,14 @@ std::vector<Basin> basins() {
   return all;
 }
 
-TEST_CASE("discrete gradients keep energy and volumes in every kind of channel", "[conservation]") {
+TEST_CASE("discrete gradients conserve energy and volumes in every kind of channel", "[conservation]") {
   Check check("dispersive_discrete_gradients", "Dispersive shallow water: energy in every kind of channel",
-              "Still water over 40 depths gets the velocity $0.1\\,e^{-(x/4)^2}$, made compatible with constant "
+              "Still water of length 40 h gets the velocity $0.1\\,e^{-(x/4)^2}$, made compatible with constant "
               "volumes. The waves run to the ends and back, $t \\le 60$; water with a free end collapses there like "
               "one behind a dam, $t \\le 10$ and 3. Cells of 0.25, steps of at most 0.1. The fully conservative scheme "
               "has discrete gradients of every part of the energy: of gravity, of improved dispersion with any power "
-              "of the depth, of the bottom under moving ends. Energy is to be kept to round-off with walls, shores and "
-              "free ends, over level and uneven bottoms, for either kinetic energy.");
+              "of the depth, of the bottom under moving ends. Energy must be conserved to round-off with walls, shores "
+              "and free ends, over level and uneven bottoms, for either kinetic energy.");
   for (const Basin& basin : basins()) {
     Markers markers = still_markers(basin.channel, equal_labels(basin.channel, -20, 20, 160));
     for (std::size_t i = 0; i < markers.size(); ++i) {
@@ -421,7 +421,7 @@ TEST_CASE("discrete gradients keep energy and volumes in every kind of channel",
                  "kinetic and potential energy, and the work of the multipliers on two volumes, rounded per step, or "
                  "per stage of a composition; collapsing water turns more than it began with into motion"});
     check.holds(fmt::format("Volumes are conserved to round-off ({}).", basin.text), {defects.volume},
-                Roundoff{steps, 40, "one place in 40 depths rounded per step"});
+                Roundoff{steps, 40, "one position up to 40 h rounded per step"});
   }
 }
 

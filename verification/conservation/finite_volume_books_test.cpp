@@ -111,12 +111,12 @@ double differing_cells(Scheme scheme) {
   return differing;
 }
 
-TEST_CASE("the seams between blocks of a finite-volume channel leave no trace", "[conservation]") {
+TEST_CASE("results of a finite-volume channel do not depend on its blocks", "[conservation]") {
   Check check("finite_volume_blocks", "Finite volumes: block by block",
               "A channel of 5000 cells, which a step goes through in several blocks, and a piece of it of 1000 cells, "
-              "which is one block and lies across a seam with a jump on it: where the ends of the piece have not been "
-              "felt, all cells are equal to the last bit after 60 steps. Over a slope, with friction, mass and "
-              "momentum are explained by what the blocks book.");
+              "which is one block and lies across a seam with a discontinuity on it: outside the influence of the "
+              "piece's ends all cells are bitwise identical after 60 steps. Over a slope, with friction, changes of "
+              "mass and momentum equal the fluxes that the blocks record.");
   for (const Scheme scheme : {Scheme::lax_friedrichs, Scheme::mac_cormack, Scheme::roe, Scheme::muscl_hll}) {
     const std::string id(shallow_water_finite_volume::name(scheme));
     check.holds(id + "-seams: A piece of the channel moves like the whole.", {differing_cells(scheme)},

@@ -28,7 +28,7 @@ overlapping_particles::Particles disc() {
 
 /// Some of a kind, or the check would show nothing of it.
 void some(Check& check, const std::string& what, bool is, const std::string& how_much) {
-  check.holds(what, {is ? 1.0 : 0.0}, Qualitative{how_much, "otherwise the balances would show nothing"});
+  check.holds(what, {is ? 1.0 : 0.0}, Qualitative{how_much, "otherwise the balances would be trivial"});
 }
 
 /// The flow at the end.
@@ -60,14 +60,14 @@ double area_defect(const dirichlet_mesh::Flow& flow) {
   return area.value();
 }
 
-TEST_CASE("free bodies of particles keep mass, momenta and energy while neighbours change", "[conservation]") {
+TEST_CASE("free bodies of particles conserve mass, momenta and energy while neighbours change", "[conservation]") {
   Check check("free_bodies", "Free bodies of particles: invariants",
               "A disc of 239 overlapping particles, and a rectangle of 153 Dirichlet cells and of particles of "
               "variable mass, drawn to the centroids of their cells at the rate 1; no gravity, sheared, turned and "
-              "bent by their first velocity, 50 steps over some twenty flips. Energy is kept without stabilisation; "
-              "with it, and with the feedback of the drift, what they did is booked to the last digit. Variable masses "
-              "do not keep angular momentum: the water handed over leaves one node and arrives at another. Areas are "
-              "not kept, but those of the cells remain the polygon's.");
+              "bent by their first velocity, 50 steps over some twenty flips. Energy is conserved without "
+              "stabilisation; with it, and with the feedback of the drift, the energy they remove is recorded to "
+              "round-off. Variable masses do not conserve angular momentum: exchanged water leaves one node and "
+              "arrives at another. Areas of cells are not conserved; their sum remains the polygon's area.");
   using overlapping_particles::Shape;
   for (const auto& [name, settings] :
        {std::pair{std::string("Overlapping particles, smoothed"), overlapping_particles::Settings{}},

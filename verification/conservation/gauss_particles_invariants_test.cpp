@@ -106,13 +106,14 @@ void keeps(Check& check, const std::string& id, const std::string& text, const D
   claim("angular_momentum", d.angular_momentum, d.scales.angular_momentum, "sum of m |r| |u| at the end");
 }
 
-TEST_CASE("free particles keep energy and momenta in a space that changes at every step", "[conservation]") {
-  Check check("gauss_particles_invariants", "Gauss-principle particles in changing spaces: energy and momenta",
-              "A drop of 768 particles with a nonlinear, vortical velocity moves for 1000 steps. The lattice of the "
-              "stream functions is another one at every step: shifted at random in both directions, with another "
-              "degree (2, 3, 4) and other cells as well. Energy, momentum and angular momentum stay as they were, to "
-              "round-off; falling under gravity, they change by its work, impulse and torque. Frank's projection "
-              "scheme keeps both momenta and loses energy.");
+TEST_CASE("Gauss-principle particles conserve energy and momenta in a space that changes at every step",
+          "[conservation]") {
+  Check check(
+      "gauss_particles_invariants", "Gauss-principle particles in changing spaces: energy and momenta",
+      "A drop of 768 particles with a nonlinear, vortical velocity moves for 1000 steps. The grid of the stream "
+      "functions changes at every step: shifted at random in both directions, with another degree (2, 3, 4) and other "
+      "cells as well. Energy, momentum and angular momentum are constant to round-off; in a fall they change by the "
+      "work, impulse and torque of gravity. Frank's projection scheme conserves both momenta and loses energy.");
   keeps(check, "any", "Another degree and other cells at every step", run<OneStep>(anything(), 0));
   const double fallen = 0.5 * std::pow(tau * steps, 2);
   keeps(check, "falling", "Falling, shifted at random", run<OneStep>(shifted(), 1), 3.2 * fallen);
@@ -121,11 +122,10 @@ TEST_CASE("free particles keep energy and momenta in a space that changes at eve
   keeps(check, "projection-scheme", "Frank's projection scheme", dissipative);
 }
 
-TEST_CASE("the conservative scheme of free particles is its own inverse", "[conservation]") {
-  Check check(
-      "gauss_particles_reversal", "Gauss-principle particles: backwards in time",
-      "A vortical drop moves 400 steps forwards and 400 backwards. The predictor of a step backwards is that of the "
-      "step forwards, so that the projection is the same one: places and velocities return to round-off.");
+TEST_CASE("the conservative scheme of Gauss-principle particles is its own inverse", "[conservation]") {
+  Check check("gauss_particles_reversal", "Gauss-principle particles: backwards in time",
+              "A vortical drop moves 400 steps forwards and 400 backwards. A step backwards has the predictor of the "
+              "step forwards, and therefore the same projection: positions and velocities return to round-off.");
   Model model(disc(1, 12), std::make_unique<SplineSpace>(LatticePlan{.cell_x = 0.3}), {.gravity = 0.5, .penalty = 0});
   State state = model.state(vortical);
   const State start = state;

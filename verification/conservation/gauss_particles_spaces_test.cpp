@@ -56,13 +56,14 @@ Point mixed(Point r) {
   return {0.3 + 0.5 * r.x - 0.9 * r.y + 0.2 * r.x * r.y, -0.2 + 0.7 * r.x - 0.5 * r.y + 0.1 * r.x * r.x};
 }
 
-TEST_CASE("a momentum of free particles is kept if and only if the space holds its field", "[conservation]") {
+TEST_CASE("a momentum of Gauss-principle particles is conserved if and only if the space contains its field",
+          "[conservation]") {
   Check check(
-      "gauss_particles_spaces", "Gauss-principle particles: what conservation asks of the space",
-      "Small spaces of polynomial fields on a disc of 48 particles. With all linear fields everything is kept. Without "
-      "the rotation a turning disc meets a space to which it is orthogonal: it is reflected as a whole, and its "
-      "angular momentum changes sign at every step; likewise the momentum without a translation. Energy asks nothing "
-      "of the space: it is kept with the single field of the stream function x^3 y^2.");
+      "gauss_particles_spaces", "Gauss-principle particles: conservation and the space of fields",
+      "Small spaces of polynomial fields on a disc of 48 particles. With all linear fields everything is conserved. "
+      "Without the rotation the velocity of a turning disc is orthogonal to the space: the velocity is reversed and "
+      "the angular momentum changes sign at every step; likewise the momentum without a translation. Energy is "
+      "conserved in any space, here with the single field of the stream function x^3 y^2.");
   const double mass = std::acos(-1.0);
   const auto kept = [&](const std::string& text, double defect, double scale) {
     check.holds(
@@ -140,11 +141,11 @@ TEST_CASE("the projection scheme loses energy at the rate of its accelerations",
   }
 }
 
-TEST_CASE("spray of free particles flies freely", "[conservation]") {
+TEST_CASE("spray of Gauss-principle particles moves ballistically", "[conservation]") {
   Check check(
       "gauss_particles_spray", "Gauss-principle particles: spray",
-      "A drop falls from rest beside three particles and a marker, thinner than a cell and out of reach of what "
-      "could continue the fields: these move on their parabolas, to round-off, and the drop does not know of them.",
+      "A drop falls from rest beside three particles and a marker, thinner than a cell and beyond the extrapolation of "
+      "the fields: these move on their parabolas, to round-off, and the drop is unaffected by them.",
       source);
   Particles particles = disc(1, 12);
   const std::size_t drop = particles.size();
@@ -164,15 +165,16 @@ TEST_CASE("spray of free particles flies freely", "[conservation]") {
   }
   const std::string resolution = "432 particles and 3, 64 steps";
   check.that("spray", "Spray particles move on their exact parabolas.",
-             "largest distance along an axis from the exact place", {.value = spray.value(), .resolution = resolution},
-             Roundoff{count, 5, "one rounding of places up to 5 per step"});
-  check.that("drop", "The drop falls as a whole.", "largest distance along an axis from the exact place",
+             "largest distance along an axis from the exact position",
+             {.value = spray.value(), .resolution = resolution},
+             Roundoff{count, 5, "one rounding of positions up to 5 per step"});
+  check.that("drop", "The drop falls as a whole.", "largest distance along an axis from the exact position",
              {.value = fallen.value(), .resolution = resolution},
              Roundoff{count * count, 1,
                       "velocities up to 1 that are rounded in each step displace the drop in all later ones"});
 }
 
-TEST_CASE("thin water at a wall of free particles slides along it", "[conservation]") {
+TEST_CASE("thin water at a wall of Gauss-principle particles slides along it", "[conservation]") {
   Particles particles = disc(1, 12);
   for (double& y : particles.y) y += 2;
   const std::size_t drop = particles.size();
@@ -192,10 +194,10 @@ TEST_CASE("thin water at a wall of free particles slides along it", "[conservati
   }
 }
 
-TEST_CASE("markers among free particles are never reflected", "[conservation]") {
+TEST_CASE("markers among Gauss-principle particles are never reflected", "[conservation]") {
   Check check("gauss_particles_markers", "Gauss-principle particles: markers ride on the field",
               "A disc of 48 particles moves uniformly; a marker in it is given another velocity. After one step it has "
-              "the velocity of the water: what it had of its own is forgotten, where a particle would be reflected.",
+              "the velocity of the water, whereas the velocity of a particle would be reflected.",
               source);
   Particles particles = disc(1, 4);
   particles.add(0.3, -0.2, 0);

@@ -40,9 +40,9 @@ Mesh distorted_layer() {
 
 TEST_CASE("uniform pressure on the surface of the mesh leaves a lake at rest") {
   Check check("lagrangian_mesh_uniform_pressure", "Uniform pressure on a lake at rest",
-              "A pressure $p_0$ on all of the free surface is felt as $p_0$ by every cell and moves nothing: the sum "
-              "of the areas' gradients is the gradient of the polygon's area, on walls of any inclination. Distorted "
-              "mesh of 12 x 4 cells, one wall inclined by 45 degrees.");
+              "A pressure $p_0$ on all of the free surface gives the pressure $p_0$ in every cell and no motion: the "
+              "sum of the areas' gradients is the gradient of the polygon's area, on walls of any inclination. "
+              "Distorted mesh of 12 x 4 cells, one wall inclined by 45 degrees.");
   constexpr double p0 = 10;
   constexpr double tau = 0.05;
   constexpr long steps = 1000;
@@ -65,8 +65,8 @@ TEST_CASE("uniform pressure on the surface of the mesh leaves a lake at rest") {
     const double kick = p0 * 0.5 * tau / lightest;  // a node's edge is half a depth long
     check.holds(scheme.text + ").", {moved.value()},
                 Roundoff{48.0 * static_cast<double>(steps), kick * tau * std::sqrt(static_cast<double>(steps)),
-                         "a step rounds the kick of the pressure on a node, p0 times half a depth over its mass, once "
-                         "per cell; velocities add up as a random walk, places follow them"});
+                         "a step rounds the velocity increment of a node by pressure, p0 h/2 over its mass, once per "
+                         "cell; velocities add up as a random walk, positions follow them"});
     check.holds(scheme.text + ": all multipliers are the pressure.", {pressure.value()},
                 Roundoff{48.0 * static_cast<double>(steps), p0,
                          "the solution of 48 equations, and velocities of rounded kicks that must be brought to rest "
@@ -107,7 +107,7 @@ TEST_CASE("a pressure pattern on the surface of the mesh drives a standing wave 
               "Water at rest under $P \\cos kx \\sin\\sigma t$. For small pressures the mesh's wave is one oscillator "
               "of the frequency of the mesh's own dispersion law, driven towards the hydrostatic depression; the "
               "scheme steps it by a recursion of two numbers, which is the reference. Runs with $P$ and $-P$ are "
-              "subtracted: what is left of nonlinearity is of the third order.");
+              "subtracted: the remaining nonlinearity is of third order.");
   constexpr double length = 6;
   constexpr std::size_t columns = 24;
   constexpr std::size_t rows = 4;
@@ -157,7 +157,7 @@ TEST_CASE("a pressure pattern on the surface of the mesh drives a standing wave 
                   Bound{steps * tau * omega * highest.value() * highest.value() +
                             4 * std::numeric_limits<double>::epsilon() * std::sqrt(10.0 * steps) / highest.value(),
                         "third-order terms: the square of the elevation, in depths, times the phase that has passed; "
-                        "and places of order one that are rounded in ten operations of each step"});
+                        "and positions of order one that are rounded in ten operations of each step"});
     }
   }
 }

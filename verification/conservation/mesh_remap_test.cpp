@@ -72,12 +72,12 @@ constexpr double tau = 0.025;
 
 const Roundoff rounded{.operations = 100 * cells * cells,
                        .scale = size,
-                       .reason = "about a hundred operations a cell on places of the patch's size"};
+                       .reason = "about a hundred operations a cell on positions of the patch's size"};
 
-TEST_CASE("a remap of the mesh in the vertical plane keeps momentum", "[conservation]") {
-  Check check("mesh_remap", "Remap of the two-dimensional mesh: what it keeps",
+TEST_CASE("a remap of the mesh in the vertical plane conserves momentum", "[conservation]") {
+  Check check("mesh_remap", "Remap of the two-dimensional mesh: conservation",
               "A free patch of 16 x 16 cells, 4 m wide, with velocities of 1 m/s; nodes move by up to a third of a "
-              "cell, those of the sides along them.",
+              "cell, nodes on the sides along them.",
               source);
   const Model model(free_patch(cells, cells, {0, 0}, {size, size}));
   const mechanics::State state = model.state();
@@ -110,10 +110,9 @@ TEST_CASE("a remap of the mesh in the vertical plane keeps momentum", "[conserva
              "largest difference of a velocity [m/s]", {off.value()}, rounded);
 }
 
-TEST_CASE("a rezoned mesh keeps its water and books its energy", "[conservation]") {
-  Check check("mesh_rezone", "A high wave at a wall on a rezoned mesh: what it keeps",
-              "A hump of water, half as high as it is deep, runs against a wall; 40 x 8 cells, conservative steps. And "
-              "still water.",
+TEST_CASE("a rezoned mesh conserves water and records its energy loss", "[conservation]") {
+  Check check("mesh_rezone", "A high wave at a wall on a rezoned mesh: conservation",
+              "A hump of water, a/h = 0.5, runs against a wall; 40 x 8 cells, conservative steps. And still water.",
               source);
   Flow flow = hump(mechanics::Stepping::conservative);
   const double water = sum(flow.model().first_volumes());
@@ -140,10 +139,10 @@ TEST_CASE("a rezoned mesh keeps its water and books its energy", "[conservation]
             Roundoff{(steps + rezoned) * 41 * 9, 1,
                      "each step and each rezoning rounds the energy, a sum over the nodes, anew"});
   check.from("Frank (1994), chapter 1")
-      .that("taken", "The energy that rezoning takes is positive and at most 1 % of the first value.",
-            "what it took over the first value", {flow.rezoning().lost / begin},
+      .that("taken", "The energy removed by rezoning is positive and at most 1 % of the first value.",
+            "energy removed by rezoning over its first value", {flow.rezoning().lost / begin},
             Bound{0.005,
-                  "0 to 1 %: what it takes is of the square of the differences between neighbouring nodes, in the "
+                  "0 to 1 %: the energy removed is quadratic in the differences between neighbouring nodes, in the "
                   "sheet at the wall alone",
                   0.005});
 
@@ -158,13 +157,14 @@ TEST_CASE("a rezoned mesh keeps its water and books its energy", "[conservation]
     apart.add(places.y[k] - lake.y[k]);
   }
   check.that("lake", "The displacement of columns by rezoning a lake at rest is zero to round-off.",
-             "largest way of a node [m]", {apart.value()}, Roundoff{100, 10, "areas of columns from places of 10 m"});
+             "largest way of a node [m]", {apart.value()},
+             Roundoff{100, 10, "areas of columns from positions of 10 m"});
 }
 
-TEST_CASE("columns that are put upright again keep their water and their slope", "[conservation]") {
-  Check check("mesh_upright_columns", "Columns put upright again",
-              "Water 1 m deep between a vertical wall and a slope of 45 degrees, under waves of 0.2 m, in columns that "
-              "lean as a surface current of a quarter of a cell leaves them.",
+TEST_CASE("rezoned columns conserve their water and the surface slope", "[conservation]") {
+  Check check("mesh_upright_columns", "Rezoned columns",
+              "Water 1 m deep between a vertical wall and a slope of 45 degrees, under waves of 0.2 m, in columns "
+              "sheared by a surface current of a quarter of a cell.",
               source);
   constexpr std::size_t columns = 40;
   constexpr std::size_t rows = 8;
@@ -211,17 +211,17 @@ TEST_CASE("columns that are put upright again keep their water and their slope",
   }
   check.at("40 x 8 cells");
   check.that("water", "The area of the water is conserved to round-off.", "change of the area [m^2]", {whole.value()},
-             Roundoff{100 * columns, 10, "areas of columns from places of 10 m"});
+             Roundoff{100 * columns, 10, "areas of columns from positions of 10 m"});
   check.that(
       "column",
       "The area of every column changes by at most the error of a polygon, curvature times width squared over 8.",
       "largest change of an area over it",
       {.value = changed.value(), .where = fmt::format("x = {:.2f} m", changed.where())},
       Bound{0.25 * 0.25 / 8,
-            "the polygon of an edge is off by its curvature times its width squared over eight: up to 0.8/m "
-            "where the water is 0.8 m deep, and a quarter of a metre"});
+            "the error of an edge's polygon is its curvature times its width squared over eight: up to 0.8/m where the "
+            "water is 0.8 m deep, and a quarter of a metre"});
   check.that("slope", "The distance of nodes from the initial line of their column is zero to round-off.",
-             "largest distance of a node from the line [m]", {bent.value()}, Roundoff{100, 10, "places of 10 m"});
+             "largest distance of a node from the line [m]", {bent.value()}, Roundoff{100, 10, "positions of 10 m"});
 }
 
 }  // namespace seiche::verification::mesh_remap_test

@@ -116,17 +116,17 @@ inline void judge(const std::vector<Subject>& subjects) {
     std::replace(id.begin(), id.end(), '-', '_');
     Check check(
         "metamorphic_" + id, fmt::format("The flow of {} and its twin", subject.name),
-        "A small flow with each main option of the model, some 24 steps, and its twin: in a mirror; turned by 90 "
-        "degrees; in other units; at another place; from a moving frame; with its particles in another order. What the "
-        "twin gives, brought back, is what the flow gives: with powers of two as units bit by bit, but where a power "
-        "or a root takes one apart (friction after Manning, viscosity of breaking fronts, the side of a cube); else to "
+        "A small flow with each main option of the model, some 24 steps, and its twin: mirrored; rotated by 90 "
+        "degrees; in other units; at another position; in a moving frame; with its particles in another order. The "
+        "twin's results, transformed back, equal the flow's: bitwise with powers of two as units, except where a power "
+        "or a root is not exact (friction after Manning, viscosity of breaking fronts, the side of a cube); else to "
         "round-off. Left out: mirrors of MacCormack's scheme, which takes its differences to one side first; turns and "
         "moving frames of Gauss-principle particles, whose cells stand still and are continued along columns before "
-        "rows. Differences are those of a place over the extent or of a velocity over the largest.");
+        "rows. Differences are of a position over the extent or of a velocity over the largest.");
     for (const Transformation& t : transformations) {
       const double far = 1 + std::hypot(t.twin.origin.x, t.twin.origin.y);
-      const evidence::Criterion rounded =
-          Roundoff{100.0 * steps, subject.growth * far, subject.reason + "; places as far from the origin as they are"};
+      const evidence::Criterion rounded = Roundoff{100.0 * steps, subject.growth * far,
+                                                   subject.reason + "; positions as far from the origin as they are"};
       const evidence::Criterion bits = Bound{0, "the same operations on the same mantissas"};
       for (const Option& option : subject.options) {
         if (!option.which.contains(t.id)) continue;

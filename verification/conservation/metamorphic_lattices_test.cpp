@@ -317,7 +317,10 @@ Subject mesh_3d() {
   return s;
 }
 
-TEST_CASE("flows of columns and meshes do not know mirrors, directions, units, places and frames", "[conservation]") {
+TEST_CASE(
+    "flows of columns and meshes are invariant under mirroring, rotation, change of units, translation and moving "
+    "frames",
+    "[conservation]") {
   judge({dispersive_1d(), dispersive_2dh(), mesh_2d(), mesh_3d()});
 }
 

@@ -301,13 +301,13 @@ std::vector<Subject> bodies() {
 
 Subject shallow_particles() {
   using namespace shallow_water_particles;
-  Subject s{
-      "particles",
-      "shallow-water particles",
-      175,
-      of_sums +
-          ", of up to 300 steps 3.5 times as much; a place of a jump is a difference over its height of 1/50 or more",
-      {}};
+  Subject s{"particles",
+            "shallow-water particles",
+            175,
+            of_sums +
+                ", of up to 300 steps 3.5 times as much; a position of a jump is a difference over its height of 1/50 "
+                "or more",
+            {}};
   const auto add = [&](const std::string& name, const particles::Row& r, const Ends& ends, Level level, int many,
                        Which which = {}, bool rounds = false) {
     Scheme scheme;
@@ -354,8 +354,10 @@ Subject finite_volumes() {
   return s;
 }
 
-TEST_CASE("flows of particles and cells do not know mirrors, directions, units, places, frames and order",
-          "[conservation]") {
+TEST_CASE(
+    "flows of particles and cells are invariant under mirroring, rotation, change of units, translation, moving frames "
+    "and renumbering",
+    "[conservation]") {
   std::vector<Subject> subjects = bodies();
   subjects.push_back(shallow_particles());
   subjects.push_back(finite_volumes());

@@ -174,13 +174,13 @@ double growth(Input a, Input b) {
   return (of_b.mean - of_a.mean) / std::sqrt(of_a.variance_of_mean + of_b.variance_of_mean);
 }
 
-TEST_CASE("the corrected start leaves an alternation of third order", "[conservation]") {
+TEST_CASE("the corrected start leaves a third-order alternation", "[conservation]") {
   Check check(
       "one_step_start", "Start of the one-step scheme",
       "For quadratic constraints $w^n = J(q^n)u^n$ obeys $w^{n+1} + w^n = \\tfrac{\\tau}{2}(b^{n+1} - b^n)$, $b = "
       "B(u,u)$, exactly. Its solution without alternation is $w = "
       "\\tfrac{\\tau}{2}\\tanh(\\tfrac{\\tau}{2}\\partial_t)\\,b = \\tfrac{\\tau^2}{4}\\dot b + O(\\tau^4) = "
-      "\\tfrac{\\tau^2}{2}B(u,\\dot u) + O(\\tau^4)$; whatever else $w^0$ holds alternates for ever, in the "
+      "\\tfrac{\\tau^2}{2}B(u,\\dot u) + O(\\tau^4)$; any other component of $w^0$ alternates indefinitely, in the "
       "multipliers by $(2/\\tau)A^{-1}$ times it. Hence: $w^0 = 0$ leaves an alternation of $\\tau A^{-1}B(u,\\dot "
       "u)$, and $w^0 = \\tfrac{\\tau^2}{2}B(u,\\dot u)$ one of $O(\\tau^3)$. Free chain; the alternation is a "
       "sixteenth of the multipliers' fourth difference over the first steps. Second differences do not show it after a "
@@ -193,7 +193,7 @@ TEST_CASE("the corrected start leaves an alternation of third order", "[conserva
                {1, 0.05, "w^0 = 0 instead of O(tau^2), divided by tau"}},
               {"smooth",
                "The alternation of the multipliers after a corrected start is third-order in tau.",
-               {3, 0.1, "w_s has even powers of tau: what it leaves is O(tau^4), divided by tau"}},
+               {3, 0.1, "w_s has even powers of tau: the remainder is O(tau^4), divided by tau"}},
               {"second-differences",
                "Second differences after a corrected start are second-order in the step: the motion's own.",
                {2, 0.05, "tau^2/4 times the second derivative"}}},

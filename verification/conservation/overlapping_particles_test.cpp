@@ -46,7 +46,7 @@ TEST_CASE("a blob of overlapping particles falls freely", "[conservation]") {
     apart.add(flow.y()[k] - first.y[k] - (4 * 2 - 9.81 * 2));
   }
   check.that("places", "All particles are on their parabolas.", "largest distance", {apart.value()},
-             Roundoff{100 * 10, 20, "100 steps to places up to 12 away, at speeds up to 16"});
+             Roundoff{100 * 10, 20, "100 steps to positions up to 12 away, at speeds up to 16"});
   check.that("multipliers", "All multipliers of the falling drop are zero to round-off.", "largest",
              {multiplier.value()},
              Roundoff{20, 2e4,
@@ -57,9 +57,10 @@ TEST_CASE("a blob of overlapping particles falls freely", "[conservation]") {
 }
 
 TEST_CASE("water beside walls moves as part of the symmetric flow", "[conservation]") {
-  Check check("overlapping_particles_mirror", "Walls of overlapping particles as planes of symmetry",
-              "A quarter of a jittered disc, mirrored into a whole one that is stretched along x; half of it above a "
-              "wall, and the quarter in the corner of two. After ten steps of 0.02 the places are those of the whole.");
+  Check check(
+      "overlapping_particles_mirror", "Walls of overlapping particles as planes of symmetry",
+      "A quarter of a jittered disc, mirrored into a whole one that is stretched along x; half of it above a wall, and "
+      "the quarter in the corner of two. After ten steps of 0.02 the positions agree with the whole disc's.");
   Particles quarter = shaken(staggered({.spacing = spacing,
                                         .lower = {0.3 * spacing, 0.3 * spacing},
                                         .upper = {1, 1},
@@ -91,7 +92,7 @@ TEST_CASE("water beside walls moves as part of the symmetric flow", "[conservati
       apart.add(flow.y()[k] - whole.y()[k]);
     }
     check.holds(text, {apart.value()},
-                Roundoff{10 * 20, 1, "ten steps of places of size 1, by sums of some twenty multipliers"});
+                Roundoff{10 * 20, 1, "ten steps of positions of size 1, by sums of some twenty multipliers"});
   };
   same("Half of the disc above a wall.", above);
   same("A quarter of the disc in a corner moves as the whole disc.", corner);
@@ -99,7 +100,7 @@ TEST_CASE("water beside walls moves as part of the symmetric flow", "[conservati
   claim_kept(check, "In the corner", corner, {{"energy", "Energy"}});
 }
 
-TEST_CASE("water on a floor keeps energy and the momentum along it", "[conservation]") {
+TEST_CASE("water on a floor conserves energy and the momentum along it", "[conservation]") {
   Check check("overlapping_particles_floor", "Overlapping particles on a floor, under gravity",
               "A drop that slides along a floor under gravity 1 for 40 steps of 0.01: the energy and the momentum "
               "along the floor, also of an oblique one without gravity. A stack of particles above each other has one "
@@ -112,7 +113,7 @@ TEST_CASE("water on a floor keeps energy and the momentum along it", "[conservat
   march(drop, 0.4, 0.01, [&] { drop.observe(); });
   claim_kept(check, "Drop on a floor", drop, {{"energy", "Energy"}, {"momentum_x", "Momentum along it"}});
   check.that(
-      "pushes", "The floor carries some of the weight.", "momentum across the floor that is not that of the fall",
+      "pushes", "The floor carries some of the weight.", "momentum across the floor beyond free fall",
       {drop.ledger().entry("momentum_y").defect + 0.4 * drop.model().mass() > 0.1 * drop.model().mass() * 0.4 ? 1.0
                                                                                                               : 0.0},
       Qualitative{"more than a tenth of the weight's impulse", "otherwise there would be no floor"});

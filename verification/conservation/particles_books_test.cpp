@@ -23,8 +23,8 @@ const std::string source = "Bogomolov, Zakharov and Zerkal, Modelling of shallow
 TEST_CASE("mass, length and momentum of a closed basin over 1e5 steps", "[conservation]") {
   Check check("particles_closed_basin", "Closed basin: mass, length and momentum",
               "A dam break 2 | 1 sloshes in a basin of 100 m for 1e5 steps and meets the walls many times. Masses are "
-              "never written after the start and the end edges never move, so mass and length keep every bit; momentum "
-              "minus the booked impulses of the walls changes by roundings.",
+              "never written after the start and the end edges never move, so mass and length are bitwise constant; "
+              "momentum minus the booked impulses of the walls changes by roundings.",
               source);
   ParticleFlow flow(dam_break(0, 50, 100, {2, 0}, {1, 0}, 500));
   long adjacent = 0;  // neighbours that both keep a jump of the same facing
@@ -44,9 +44,9 @@ TEST_CASE("mass, length and momentum of a closed basin over 1e5 steps", "[conser
   check.that("momentum", "Momentum minus the impulses of the walls is constant to round-off.", "momentum error [m^3/s]",
              {flow.momentum_defect()},
              Roundoff{6 + 1e5 / 500 * std::pow(420 / impulse, 2), impulse,
-                      "the books of the two walls, their sum, and what is left of three numbers are rounded once, as "
-                      "large as the impulse of a wall, for sums are compensated; and every step rounds the momentum of "
-                      "each particle, 420/500 at most"});
+                      "the recorded impulses of the two walls, their sum, and the difference of three numbers are "
+                      "rounded once at the size of a wall's impulse, because sums are compensated; and every step "
+                      "rounds the momentum of each particle, 420/500 at most"});
   // One bore crosses the basin for ever. Where the water beside it is not uniform, the mean of the next particle
   // differs from the state that the jump is between, and the jump is found in both.
   check.that("adjacent", "The number of neighbouring particles with jumps of the same direction is zero.",
@@ -54,16 +54,15 @@ TEST_CASE("mass, length and momentum of a closed basin over 1e5 steps", "[conser
   check.that("dropped", "The part of a particle with a dropped event that lies beyond its jump is less than half.",
              "largest part of such a particle beyond the jump", {flow.events().discarded_inside.value()},
              Bound{0.5,
-                   "a jump counts if it is twice as large as what the particles beside it differ by: a neighbour's "
-                   "mean lies by less than half of it from the state there"});
+                   "a discontinuity counts if it is twice as large as the difference of the particles beside it: a "
+                   "neighbour's mean lies by less than half of it from the state there"});
 }
 
-TEST_CASE("everything that pushes the water is booked", "[conservation]") {
-  Check check(
-      "particles_all_books", "Momentum under all forces",
-      "A dam break between walls over a wavy bed, with friction and a body force: momentum is the sum of what the "
-      "two walls, the bed, the friction and the body force have given.",
-      source);
+TEST_CASE("every force on the water is recorded in the ledger", "[conservation]") {
+  Check check("particles_all_books", "Momentum under all forces",
+              "A dam break between walls over a wavy bed, with friction and a body force: momentum is the sum of the "
+              "impulses of the two walls, the bed, friction and the body force.",
+              source);
   Forcing forcing;
   forcing.bed = Bed{[](double x) { return 0.1 * std::cos(x); }, [](double x) { return 0.1 * std::sin(x); }};
   forcing.manning = 0.05;
@@ -80,7 +79,7 @@ TEST_CASE("everything that pushes the water is booked", "[conservation]") {
   check.holds("Momentum minus the booked impulses is constant to round-off.", {flow.momentum_defect()},
               Roundoff{5.0 * count * 100, 0.2, "five rounded impulses of at most 0.2 per particle and step"});
   check.holds("Each of the five impulses contributes.", {least.value() > 0.01 ? 1.0 : 0.0},
-              Qualitative{"each above 0.01 m^3/s", "what is nothing could be booked with any sign"});
+              Qualitative{"each above 0.01 m^3/s", "zero could be recorded with any sign"});
 }
 
 TEST_CASE("a lake over an uneven bed stays at rest", "[conservation]") {
@@ -149,26 +148,26 @@ TEST_CASE("steady subcritical flow over a bump between open sections", "[conserv
     march(flow, 40);
     const auto error = cell_error(
         flow.measured_profile(), [&](double x) { return exact.at(x); }, exact.breakpoints());
-    check.holds(fmt::format("mass_{}", count) + ": Mass equals what has passed the sections.", {flow.mass_defect()},
+    check.holds(fmt::format("mass_{}", count) + ": Mass equals the inflow through the sections.", {flow.mass_defect()},
                 Roundoff{6, flow.ledger().left_mass.value(),
-                         "the books of the two sections, their sum, and what is left of three numbers are rounded "
-                         "once, as large as the mass that has entered; sums are compensated, and one particle at a "
-                         "section, of 1/80 of that mass at most, is rounded per step"});
+                         "the recorded inflows of the two sections, their sum, and the difference of three numbers are "
+                         "rounded once at the size of the mass that has entered; sums are compensated, and one "
+                         "particle at a section, of 1/80 of that mass at most, is rounded per step"});
     check.holds(fmt::format("momentum_{}", count) + ": Momentum equals the booked impulses.", {flow.momentum_defect()},
                 Roundoff{6 + static_cast<double>(flow.steps()) / static_cast<double>(count) *
                                  std::pow(flow.momentum() / flow.ledger().left_impulse.value(), 2),
                          flow.ledger().left_impulse.value(),
-                         "the books of the sections and of the bed, their sum, and what is left of three numbers are "
-                         "rounded once, as large as the impulse at a section, for sums are compensated; and every step "
-                         "rounds the momentum of each particle"});
+                         "the recorded impulses of the sections and of the bed, their sum, and the difference of three "
+                         "numbers are rounded once at the size of a section's impulse, because sums are compensated; "
+                         "and every step rounds the momentum of each particle"});
     return error.depth.l1;
   };
   refine(check, {"particle width [m]", widths(25, {25, 50, 100, 200})},
          {{"order",
            "The depth over the bump converges at second order.",
            {2, 0.5,
-            "the ends of the bump have a kink in z', where the limited slopes are of first order over a region that "
-            "shrinks with the width"}}},
+            "the ends of the bump have a kink in z', where the limited slopes are first-order accurate over a region "
+            "that shrinks with the width"}}},
          error_of);
 }
 
@@ -212,7 +211,8 @@ double differing(Level level) {
   return differing.value();
 }
 
-TEST_CASE("stretches of a row of shallow-water particles leave no trace", "[conservation]") {
+TEST_CASE("results of a row of shallow-water particles do not depend on its division into stretches",
+          "[conservation]") {
   Check check("particles_stretches", "Shallow-water particles: stretch by stretch",
               "A row of 5000 particles, which a step goes through in three stretches, and a piece of it across a seam: "
               "where the ends of the piece have not been felt, edges and velocities are equal but for the round-off of "
@@ -221,7 +221,7 @@ TEST_CASE("stretches of a row of shallow-water particles leave no trace", "[cons
   for (const auto& [level, name] :
        {std::pair{Level::godunov, "G1"}, std::pair{Level::muscl, "M2"}, std::pair{Level::hand_over, "H2"}}) {
     check.holds(std::string(name) + ": A piece of the row moves like the whole.", {differing(level)},
-                Bound{1e-11, "waves to 1e-13, places up to 3000 m to 5e-13, six steps"});
+                Bound{1e-11, "waves to 1e-13, positions up to 3000 m to 5e-13, six steps"});
   }
   // The narrowest particle is the last of a stretch.
   Particles row = ripples(0, 5000);

@@ -41,10 +41,10 @@ Roundoff rounding(double steps, double scale) {
 
 TEST_CASE("an isolated bore is exact to round-off and loses energy at the exact rate", "[conservation]") {
   Check check("particles_bore", "Bore 2 | 1: exact with one transition particle",
-              "A bore runs 43 m over still water. The jump lives inside one particle and is handed to the next with "
-              "exact time averages of edge velocity and pressure, so the reconstructed profile has no discretisation "
-              "error at all: what is left is rounding. Across the jump the energy of the reconstruction must fall at "
-              "$g (h_1-h_0)^3 a/(4 h_1)$, the rate of the jump relations.",
+              "A bore runs 43 m over still water. The discontinuity lies inside one particle and passes to the next "
+              "with exact time averages of edge velocity and pressure, so the reconstructed profile has no "
+              "discretisation error: only rounding remains. Across the discontinuity the energy of the reconstruction "
+              "must fall at $g (h_1-h_0)^3 a/(4 h_1)$, the rate of the jump relations.",
               source);
   const exact::Bore exact(gravity, 1, 2, 0, 40);
   const double u = exact.behind_velocity();
@@ -115,8 +115,8 @@ TEST_CASE("two bores collide exactly", "[conservation]") {
 
 TEST_CASE("a dry front moves with the exact velocity for any number of particles", "[conservation]") {
   Check check("particles_dry_front", "Front of a dam break on a dry bed",
-              "The front particle carries a tip profile; its front keeps the velocity $2 c_1$, so the front is exact "
-              "for ten particles. The discharge at the dam is $8 h_1 c_1/27$ at all times.");
+              "The front particle carries a tip profile; its front moves at the constant velocity $2 c_1$, so the "
+              "front is exact for ten particles. The discharge at the dam is $8 h_1 c_1/27$ at all times.");
   const exact::Ritter exact(gravity, 1, 10);
   for (const std::size_t count : {std::size_t{10}, std::size_t{100}}) {
     ParticleFlow flow(uniform_stretches({{0, 10, {1, 0}}}, count), {Wall{}, Vacuum{}});

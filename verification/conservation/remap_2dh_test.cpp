@@ -66,14 +66,13 @@ Point momentum(std::span<const double> masses, const std::function<Point(std::si
 
 const Roundoff rounded{.operations = 100 * cells * cells,
                        .scale = size,
-                       .reason = "about a hundred operations a cell on places of the box's size"};
+                       .reason = "about a hundred operations a cell on positions of the box's size"};
 
-TEST_CASE("a remap of the 2DH model keeps a stream", "[conservation]") {
-  Check check(
-      "remap_2dh", "Remap of the two-dimensional horizontal model: what it keeps",
-      "16 x 16 cells over a level bottom 1 m deep, one velocity; nodes move by up to a third of a cell, those of "
-      "the sides along them.",
-      source);
+TEST_CASE("a remap of the 2DH model preserves a uniform stream", "[conservation]") {
+  Check check("remap_2dh", "Remap of the two-dimensional horizontal model: conservation",
+              "16 x 16 cells over a level bottom 1 m deep, one velocity; nodes move by up to a third of a cell, nodes "
+              "on the sides along them.",
+              source);
   const Model model(box());
   std::vector<double> u(3 * model.nodes(), 0.0);
   for (std::size_t k = 0; k < model.nodes(); ++k) {
@@ -102,7 +101,7 @@ TEST_CASE("a remap of the 2DH model onto cells that have no area in a corner is 
   CHECK_THROWS_WITH(remap(model, state.q, state.u, x, model.lattice().y), Catch::Contains("would tangle"));
 }
 
-TEST_CASE("a remap of the 2DH model keeps water and momentum and lets no column fall dry", "[conservation]") {
+TEST_CASE("a remap of the 2DH model conserves water and momentum and keeps every column wet", "[conservation]") {
   Check check("remap_thin_2dh", "Remap of the two-dimensional horizontal model: rough and thin water",
               "16 x 16 cells over a level bottom, columns between 6 cm and 1 m deep at random, velocities of 1 m/s at "
               "random; nodes move by up to a third of a cell.",
@@ -140,7 +139,7 @@ TEST_CASE("a remap of the 2DH model keeps water and momentum and lets no column 
   for (std::size_t k = 0; k < n; ++k) speed.add(std::hypot(now.velocity[k].u, now.velocity[k].v));
 }
 
-TEST_CASE("a lattice that follows the shore draws films back and keeps its widths", "[conservation]") {
+TEST_CASE("a mesh that follows the shore withdraws thin films and retains its widths", "[conservation]") {
   Check check("rezone_film_2dh", "Places of the nodes next to a shoreline",
               "Still water around the conical island, columns 0.5 m apart; its shoreline is moved up the island, or "
               "its second row towards the shoreline.",
@@ -211,26 +210,26 @@ TEST_CASE("a lattice that follows the shore draws films back and keeps its width
   }
   check.at("columns 0.5 m apart");
   check.that("cut", "The slope of a tongue that is drawn back agrees with the setting within 5 % on either side.",
-             "steepest way up from a marker of the shoreline to the next one over their distance", {steepest.value()},
+             "steepest rise between neighbouring nodes of the shoreline over their distance", {steepest.value()},
              Bound{0.05, "columns are lines from the first shoreline to the outer side and not quite radii", 1});
   Worst pressed;
   for (std::size_t j = 1; j < lake.shape.rows; ++j) {
     pressed.add(std::min(0.0, width(cut, ahead, j) / width(as_it_comes, ahead, j) - 0.7));
   }
   check.that("pressed", "The narrowest cell of a column retains at least 0.7 of its width.",
-             "width left below 0.7 of what it was", {pressed.value()},
-             Roundoff{10, 10, "differences of places up to 10 m away"});
+             "width below 0.7 of its initial value", {pressed.value()},
+             Roundoff{10, 10, "differences of positions up to 10 m away"});
   check.that("drawn", "The width of a film that is drawn back agrees with the wedge of the given slope within 1 %.",
-             "width of the cells at the shoreline over the square root of what the slope lacks, less 1", {off.value()},
+             "width of the cells at the shoreline over the square root of the slope's deficit, minus 1", {off.value()},
              Bound{0.01,
-                   "what the pattern + - takes from a row that is no circle: the bottom's spline moves its markers by "
+                   "error of the pattern + - along a row that is not a circle: the bottom's spline moves its nodes by "
                    "some mm in half a metre"});
   const Remapped after = remap(thin, state.q, state.u, drawn.x, drawn.y);
   const Model next(after.lattice, {.gravity = validation::ConicalIsland::gravity});
   check.from(source).that("water", "The volume of the film is conserved to round-off.", "change of the volume over it",
                           {sum(next.first_volumes()) / sum(thin.first_volumes()) - 1},
                           Roundoff{static_cast<double>(lake.shape.cells()), 1,
-                                   "every cell's volume rounds its own differences of places of the basin's size"});
+                                   "every cell's volume rounds its own differences of positions of the basin's size"});
   std::vector<double> moved_down = after.lattice.x;
   moved_down.insert(moved_down.end(), after.lattice.y.begin(), after.lattice.y.end());
   moved_down.insert(moved_down.end(), after.lattice.z.begin(), after.lattice.z.end());
@@ -260,8 +259,8 @@ TEST_CASE("a lattice that follows the shore draws films back and keeps its width
     off_rows.add(both(gathered, i) / both(sheet, i) / std::sqrt(slope / edge_slope) - 1);
   }
   check.that("drawn-rows", "The width of a film over two rows agrees with the wedge of the given slope within 1 %.",
-             "width of both rows of cells over the square root of what the slope lacks, less 1", {off_rows.value()},
-             Bound{0.01, "as of one row: markers of a row that is no circle move by some mm in decimetres"});
+             "width of both rows of cells over the square root of the slope's deficit, minus 1", {off_rows.value()},
+             Bound{0.01, "as for one row: nodes of a row that is not a circle move by some mm in decimetres"});
 
   // The second row 1 mm from the shoreline.
   Lattice narrow = lake;
@@ -277,11 +276,11 @@ TEST_CASE("a lattice that follows the shore draws films back and keeps its width
     for (std::size_t i = 0; i < count; ++i) least.add(width(kept, i, j) / width(lake, i, j));
   }
   check.that("widths", "The narrowest cell after rows were put apart has the least width of the settings, to 1e-9.",
-             "narrowest cell along its column, over what it was at the beginning", {least.value()},
+             "narrowest cell along its column, over its initial value", {least.value()},
              Bound{1e-9, "a quarter, to rounding", 0.25});
 }
 
-TEST_CASE("a wave that breaks on an island leaves its lattice whole", "[conservation]") {
+TEST_CASE("a wave that breaks on an island leaves its mesh valid", "[conservation]") {
   Check check("rezone_breaking_2dh", "The highest wave around the conical island",
               "Case C, columns 0.7 m apart, until the water behind the island has run up and down.",
               "validation/instruments/plan/plan_remap.hpp");
@@ -299,19 +298,19 @@ TEST_CASE("a wave that breaks on an island leaves its lattice whole", "[conserva
   const std::string resolution =
       fmt::format("columns 0.7 m apart, {} steps, rezoned {} times", flow.steps(), flow.rezoned());
   check.that("whole", "The grid is sound until the wave has passed the island.",
-             "the lattice is sound at the end, and each rezoning could be made",
+             "the mesh is valid at the end, and each rezoning succeeded",
              {.value = whole && flow.refused() == 0 ? 1.0 : 0.0, .resolution = resolution},
              Qualitative{"no cell is inverted, no column falls dry", "6 s after the crest would pass the middle"});
   check.from(source).that("water", "The volume of the water is conserved to round-off.",
                           "largest change over the first volume", {.value = spilt.value(), .resolution = resolution},
                           Roundoff{static_cast<double>(flow.flow().shape().cells()), 1,
-                                   "every cell's volume rounds its own differences of places of the basin's size"});
+                                   "every cell's volume rounds its own differences of positions of the basin's size"});
 }
 
-TEST_CASE("fronts break on while their lattice is rezoned", "[conservation]") {
-  Check check("rezone_fronts_2dh", "Breaking fronts on a lattice that is rezoned",
+TEST_CASE("fronts continue to break while their mesh is rezoned", "[conservation]") {
+  Check check("rezone_fronts_2dh", "Breaking fronts on a mesh that is rezoned",
               "Case C of the conical island, columns 1 m apart, until the crest would be 2 s beyond the middle of the "
-              "island; the lattice is rezoned before every step.",
+              "island; the mesh is rezoned before every step.",
               "validation/instruments/plan/plan_remap.hpp");
   const validation::ConicalIsland island({.height = 0.181, .spacing = 1});
   RezonedFlow flow(island.lattice(), [&](double x, double y) { return island.velocity(x, y); }, {},
@@ -321,18 +320,17 @@ TEST_CASE("fronts break on while their lattice is rezoned", "[conservation]") {
     const bool anew = flow.rezoned() > std::exchange(rezoned, flow.rezoned());
     if (anew && flow.flow().model().breaking().going_on() > 0) ++remembered;
   });
-  check.that("go-on",
-             "The number of fronts that continue breaking after a rezoning, though no longer steep, is positive.",
-             "steps with such fronts after a rezoning, more than none",
-             {.value = remembered > 0 ? 1.0 : 0.0,
-              .resolution = fmt::format("columns 1 m apart, {} steps, rezoned {} times", flow.steps(), flow.rezoned())},
-             Qualitative{"a front that breaks and has no steep place",
-                         "only what is remembered across the rezoning can be one"});
+  check.that(
+      "go-on", "The number of fronts that continue breaking after a rezoning, though no longer steep, is positive.",
+      "steps with such fronts after a rezoning, more than none",
+      {.value = remembered > 0 ? 1.0 : 0.0,
+       .resolution = fmt::format("columns 1 m apart, {} steps, rezoned {} times", flow.steps(), flow.rezoned())},
+      Qualitative{"a breaking front without a steep position", "only a front retained across the rezoning can be one"});
 }
 
-TEST_CASE("a rezoned flow around an island keeps its water and books the energy that rezoning takes",
+TEST_CASE("a rezoned flow around an island conserves water and records the energy removed by rezoning",
           "[conservation]") {
-  Check check("rezone_2dh", "A flow around an island on a rezoned lattice: what it keeps",
+  Check check("rezone_2dh", "A flow around an island on a rezoned mesh: conservation",
               "Case A of the conical island without friction, columns 1 m apart, conservative steps, until the crest "
               "would be at the middle of the island; and still water.",
               source);
@@ -352,20 +350,21 @@ TEST_CASE("a rezoned flow around an island keeps its water and books the energy 
   check.that("rezoned", "The mesh is rezoned in at least one step, and not in every step.", "times",
              {static_cast<double>(flow.rezoned())},
              Bound{steps / 2 - 0.5, "once or more, not in every step", steps / 2});
-  check.that("water", "The volume of the water is conserved to round-off.", "largest change over the first volume",
-             {spilt.value()},
-             Roundoff{cells_of_all, 1, "every cell's volume rounds its own differences of places of the basin's size"});
+  check.that(
+      "water", "The volume of the water is conserved to round-off.", "largest change over the first volume",
+      {spilt.value()},
+      Roundoff{cells_of_all, 1, "every cell's volume rounds its own differences of positions of the basin's size"});
   check.from("Frank (1994), chapter 1")
       .that("booked", "The sum of energy and booked loss of rezoning is conserved to round-off.",
             "largest change over the first value", {drift.value()},
             Roundoff{static_cast<double>(flow.steps() + flow.rezoned()), 100,
-                     "places of 20 m and sides of 0.2 m next to the shore: each step and each rezoning rounds their "
+                     "positions of 20 m and sides of 0.2 m next to the shore: each step and each rezoning rounds their "
                      "differences anew"});
   check.from("Frank (1994), chapter 1")
-      .that("taken", "The energy that rezoning takes is positive and at most 1 % of the first value.",
-            "what it took over the first value", {flow.lost() / begin},
+      .that("taken", "The energy removed by rezoning is positive and at most 1 % of the first value.",
+            "energy removed by rezoning over its first value", {flow.lost() / begin},
             Bound{0.005,
-                  "0 to 1 %: what it takes is of the square of the differences between neighbouring nodes, next to "
+                  "0 to 1 %: the energy removed is quadratic in the differences between neighbouring nodes, next to "
                   "the shore alone",
                   0.005});
 
@@ -381,7 +380,8 @@ TEST_CASE("a rezoned flow around an island keeps its water and books the energy 
     apart.add(places.y[k] - lake.y[k]);
   }
   check.that("lake", "The displacement of nodes by rezoning a lake at rest is zero to round-off.",
-             "largest way of a node [m]", {apart.value()}, Roundoff{10, 20, "a cubic at its own node, places of 20 m"});
+             "largest way of a node [m]", {apart.value()},
+             Roundoff{10, 20, "a cubic at its own node, positions of 20 m"});
   const Remapped same = remap(still, rest.q, rest.u, lake.x, lake.y);
   Worst risen;
   for (std::size_t k = 0; k < lake.shape.nodes(); ++k) {
@@ -392,7 +392,7 @@ TEST_CASE("a rezoned flow around an island keeps its water and books the energy 
   }
   check.that("rest", "Elevation and velocity after a remap of a lake at rest are zero to round-off.",
              "largest elevation or velocity", {risen.value()},
-             Roundoff{100, 20, "volumes of cells from places of 20 m"});
+             Roundoff{100, 20, "volumes of cells from positions of 20 m"});
 }
 
 }  // namespace seiche::verification::remap_2dh_test

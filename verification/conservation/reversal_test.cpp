@@ -22,14 +22,14 @@ TEST_CASE("flows return when their velocities are reversed", "[conservation]") {
               "Steps forward, velocities reversed, as many steps, velocities reversed: the start returns. The one-step "
               "scheme is symmetric where frames do not turn, which over an uneven bottom move the middle of a step by "
               "$O(\\tau^3)$ on the way back; the fully conservative one is symmetric over any bottom. Solvers are "
-              "direct or tight, so that nothing depends on tolerances.");
+              "direct or tight, so that results do not depend on tolerances.");
   const auto returns = [&](const std::string& flow, auto& model, const State& start, Stepping stepping, double tau,
                            int steps, double roundings, double scale) {
     check.holds(flow + ": every coordinate and rate returns.",
                 {there_and_back(model, start, {.stepping = stepping}, tau, steps)},
                 Roundoff{roundings * steps, scale,
-                         "every place, up to the largest, and what is added to it, is rounded so often in a step, "
-                         "there and back; sweeps begin anew"});
+                         "every position, up to the largest, and its increment are rounded so often in a step, there "
+                         "and back; sweeps begin anew"});
   };
   for (const double cubic : {0.0, 0.3}) {
     for (const bool pinned : {false, true}) {

@@ -71,10 +71,10 @@ double fastest(const Flow& flow) {
   return most.value();
 }
 
-TEST_CASE("still water with moving shorelines stays still", "[conservation]") {
+TEST_CASE("still water with moving shorelines stays at rest", "[conservation]") {
   Check check("shoreline_rest_2dh", "Still water with moving shorelines, in 2DH",
-              "Markers at depth zero stand at the still-water level, and the bottom's part of the potential energy is "
-              "taken with the surface's line between them: no force. 200 steps of 0.1. On a circular shore markers are "
+              "Nodes at depth zero stand at the still-water level, and the bottom's part of the potential energy is "
+              "taken with the surface's line between them: no force. 200 steps of 0.1. On a circular shore nodes are "
               "at the level only to round-off.",
               source);
   Flow straight(moved_water(20, 0));
@@ -91,9 +91,9 @@ TEST_CASE("still water with moving shorelines stays still", "[conservation]") {
 
 TEST_CASE("energy and volumes are conserved with moving shorelines", "[conservation]") {
   Check check("shoreline_conservation_2dh", "Conservation with moving shorelines, in 2DH",
-              "The potential energy over moving shores is that of the areas they flood, with an exact discrete "
-              "gradient; shoreline markers move along the bottom's own discrete tangent. Canal: the water is moved up "
-              "a side by a tenth of its half width and let go. Ring: a circular shore, uneven surface.");
+              "The potential energy over moving shores is taken over the areas they flood, with an exact discrete "
+              "gradient; shoreline nodes move along the bottom's own discrete tangent. Canal: the water is moved up a "
+              "side by a tenth of its half width and let go. Ring: a circular shore, uneven surface.");
   struct Problem {
     std::string id, text;
     Lattice lattice;
@@ -116,14 +116,14 @@ TEST_CASE("energy and volumes are conserved with moving shorelines", "[conservat
     check.holds(problem.text + ": the energy.", {energy_defect.value()},
                 Roundoff{steps * cells, 1, "one rounded work per cell and step, of the size of the energy"});
     check.holds(problem.text + ": the volume of every cell.", {volume_defect.value()},
-                Roundoff{steps, half_width, "places up to 10, rounded per step, depth and width 1"});
+                Roundoff{steps, half_width, "positions up to 10, rounded per step, depth and width 1"});
   }
 }
 
 TEST_CASE("water in a parabolic canal swings with Thacker's frequency", "[conservation]") {
   Check check("shoreline_swing_2dh", "Water that swings in a parabolic canal, in 2DH",
               "Thacker (1981): in shallow water the surface stays a plane and the water moves as a whole, with "
-              "frequency sqrt(2)/10 here. Dispersion adds what is of the order of (depth/half width)^2.",
+              "frequency sqrt(2)/10 here. Dispersion adds terms of the order of (depth/half width)^2.",
               "Thacker, J. Fluid Mech. 107 (1981) 499");
   std::vector<double> spacings, errors;
   const double period = 2 * std::numbers::pi * half_width / std::sqrt(2.0);
@@ -150,7 +150,7 @@ TEST_CASE("water in a parabolic canal swings with Thacker's frequency", "[conser
              Bound{0.06, "dispersion: 2 pi times (1/10)^2"});
 }
 
-TEST_CASE("shorelines that cannot be are refused", "[robustness]") {
+TEST_CASE("invalid shorelines are rejected", "[robustness]") {
   Lattice level = rectangular_lattice({.begin = 0, .end = 4, .south = 0, .north = 2, .columns = 4, .rows = 2});
   level.sides.west = ShoreSide{};
   CHECK_THROWS_AS(Flow(level), std::invalid_argument);

@@ -65,33 +65,33 @@ Flow basin() {
       {}, {.stepping = mechanics::Stepping::conservative}, {.solver = linear::SolverMethod::banded});
 }
 
-TEST_CASE("conservative steps settle over a surveyed bottom far from where its integral begins", "[conservation]") {
+TEST_CASE("conservative steps converge over a surveyed bottom far from the origin of its integral", "[conservation]") {
   Check check("dispersive_2dh_far_bottom", "Conservative steps far along a surveyed bottom",
-              "A hump of 0.05 spreads over a bottom given by a raster, 400 depths from the raster's west side: the "
-              "integral of the bottom, which volumes are sums of, has counted to 300 there, while far from the hump "
-              "markers move by less than a millionth. The discrete gradient divides by such ways; what it divides must "
-              "not have the round-off of the integral, or sweeps never settle.",
+              "A hump of 0.05 spreads over a bottom given by a raster, 400 h from the raster's west side: the integral "
+              "of the bottom, of which volumes are sums, has grown to 300 there, while far from the hump nodes move by "
+              "less than a millionth. The discrete gradient divides by such displacements; its numerator must not have "
+              "the round-off of the integral, or sweeps do not converge.",
               "Frank (1994), chapter 1 and section 4.2; discrete gradients: McLachlan et al. (1999)");
   Flow flow = basin();
   const Course course = follow(flow, steps * 0.15, 0.15);
-  check.that("settles", "The number of steps whose sweeps do not settle is zero.", "steps that did not",
+  check.that("settles", "The number of steps whose sweeps do not converge is zero.", "steps that did not",
              {.value = static_cast<double>(steps - flow.steps()), .where = course.stopped},
              Bound{0, "sweeps contract by (omega tau)^2/4 = 0.02"});
   check.that(
       "energy", "Energy is conserved to round-off where the bathymetry reaches far.",
       "largest change over the first value", {course.drift.value()},
       Roundoff{steps, begin / 0.5,
-               "the width of a cell, half a depth, is a difference of places of 400, rounded anew in each step"});
+               "the width of a cell, half a depth, is a difference of positions of 400, rounded anew in each step"});
   std::vector<double> changes(flow.model().constraints());
   flow.model().constraint_values(flow.state().q, changes);
   check.that("volume", "The volume of every cell is conserved to round-off.", "largest change of a volume [depth^3]",
              {worst(changes)},
              Roundoff{24.0 + steps, 0.75 * begin * 0.5,
-                      "the volume itself is a sum of four edges half a depth long, each with the integral, 300, at "
-                      "three places; steps add what they round"});
+                      "the volume itself is a sum of four edges of length h/2, each with the integral, 300, at three "
+                      "positions; roundings of steps add up"});
 }
 
-TEST_CASE("conservative steps keep the energy of a wave that climbs an island", "[conservation][full]") {
+TEST_CASE("conservative steps conserve the energy of a wave that runs up an island", "[conservation][full]") {
   Check check("conical_island_energy", "A wave climbs an island: conservative steps",
               "Case A of the conical island without friction, columns 1 m apart: the shoreline slides on the bottom, "
               "cells next to it are as thin as the water is there, and the bottom is a spline through a raster. Until "
@@ -115,10 +115,11 @@ TEST_CASE("conservative steps keep the energy of a wave that climbs an island", 
       "The highest run-up on the island is 2.5 wave heights within 1.25: twice at a wall, 2.8 in the experiment.",
       "largest elevation of the shoreline over the wave's height", {highest.value() / (0.045 * 0.32)},
       Bound{1.25, "the height is doubled at a wall; the experiment's largest is 2.8", 2.5});
-  check.that("energy", "Energy of the wave at the island is conserved to round-off.",
-             "largest change over the first value", {course.drift.value()},
-             Roundoff{static_cast<double>(flow.steps()), 100,
-                      "places of 20 m and sides of 0.2 m next to the shore: each step rounds their differences anew"});
+  check.that(
+      "energy", "Energy of the wave at the island is conserved to round-off.", "largest change over the first value",
+      {course.drift.value()},
+      Roundoff{static_cast<double>(flow.steps()), 100,
+               "positions of 20 m and sides of 0.2 m next to the shore: each step rounds their differences anew"});
 }
 
 }  // namespace seiche::verification::surveyed_bottom_2dh_test

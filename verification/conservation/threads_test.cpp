@@ -70,7 +70,7 @@ void same_for_threads(Check& check, const std::string& what, const Run& run, con
   }
   omp_set_num_threads(usual);
   check.holds(what, {same ? 1.0 : 0.0},
-              Qualitative{"equal bytes of all places, rates, multipliers and books at the end",
+              Qualitative{"equal bytes of all positions, rates, multipliers and books at the end",
                           "sums are taken in one order: results must not depend on the machine's load"});
 }
 
@@ -284,7 +284,7 @@ void all(Check& check) {
   auto [level, still] = with_wave(false);
   for (Numbers* values : {&still.y, &still.u, &still.v}) values->assign(still.size(), 0.0);
   still.v[cells / 8] = 1e-3;
-  same(check, "what decays into numbers too small for usual arithmetic", level, still, Stepping::one_step);
+  same(check, "solutions that decay into denormal numbers", level, still, Stepping::one_step);
   auto [channel, markers] = with_wave(true);
   markers.u.back() = 1e9;
   same(check, "a tip that leaves the bottom", channel, markers, Stepping::one_step, true);
@@ -294,26 +294,26 @@ void all(Check& check) {
 const std::string article =
     "Every model that has threads, at a size that is worth them: some steps with one thread, and with two or three.";
 
-TEST_CASE("any number of threads gives the same bits of meshes", "[conservation]") {
+TEST_CASE("meshes are bitwise identical with any number of threads", "[conservation]") {
   Check check("threads_meshes", "Any number of threads: meshes", article);
   for (const Stepping stepping : {Stepping::one_step, Stepping::conservative}) plan(check, stepping);
   hexahedra(check, Stepping::one_step);
   quadrilaterals(check, Stepping::one_step);
 }
 
-TEST_CASE("any number of threads gives the same bits of conservative meshes", "[conservation][full]") {
+TEST_CASE("conservative meshes are bitwise identical with any number of threads", "[conservation][full]") {
   Check check("threads_meshes", "Any number of threads: conservative meshes", article);
   hexahedra(check, Stepping::conservative);
   quadrilaterals(check, Stepping::conservative);
 }
 
-TEST_CASE("any number of threads gives the same bits of particles", "[conservation]") {
+TEST_CASE("particles are bitwise identical with any number of threads", "[conservation]") {
   Check check("threads_particles", "Any number of threads: particles", article);
   drop(check);
   particles_of_sph(check);
 }
 
-TEST_CASE("any number of threads gives the same bits of shallow water", "[conservation]") {
+TEST_CASE("shallow-water flows are bitwise identical with any number of threads", "[conservation]") {
   Check check("threads_shallow_water", "Any number of threads: shallow water", article);
   volumes(check);
   row_of_particles(check);

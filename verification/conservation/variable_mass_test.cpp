@@ -23,8 +23,8 @@ std::vector<double> copied(std::span<const double> values) {
 
 TEST_CASE("masses exchanged between moving bodies leave mass, momentum and kinetic energy alone", "[conservation]") {
   Check check("variable_mass_exchanges", "Finite exchanges of mass are neutral",
-              "64 bodies of masses between 1 and 3 and random velocities hand one another masses, up to a tenth of "
-              "their own, in a thousand rounds of 100 exchanges. Velocities change by the convective term alone.",
+              "64 bodies of masses between 1 and 3 and random velocities exchange masses, up to a tenth of their own, "
+              "in a thousand rounds of 100 exchanges. Velocities change by the convective term alone.",
               source);
   Noise noise(7);
   constexpr std::size_t n = 64;

@@ -48,8 +48,8 @@ Particles jittered_patch(double spacing, double density) {
 TEST_CASE("momentum of a free blob is conserved to round-off with every viscosity", "[conservation]") {
   Check check("wcsph_momentum", "Momentum and mass of a free blob",
               "A disordered disc of unequal masses with random velocities and densities, no walls, no gravity, 300 "
-              "steps. Pair forces are antisymmetric bit by bit, although every particle gathers its own sums, so that "
-              "the momentum wanders by rounding alone.");
+              "steps. Pair forces are bitwise antisymmetric, although every particle gathers its own sums, so that the "
+              "momentum wanders by rounding alone.");
   const std::vector<std::pair<std::string, Viscosity>> models{{"inviscid", Inviscid{}},
                                                               {"artificial", ArtificialViscosity{0.3}},
                                                               {"laminar", LaminarSps{0.05, 0, 0}},
@@ -68,7 +68,7 @@ TEST_CASE("momentum of a free blob is conserved to round-off with every viscosit
   }
 }
 
-TEST_CASE("smoothed motion leaves the centre of mass to the momentum", "[conservation]") {
+TEST_CASE("smoothed motion moves the centre of mass with the momentum", "[conservation]") {
   Check check("wcsph_smoothed_motion", "Smoothed motion",
               "The displacement (6) pulls particles towards the mean velocity of their neighbours: it moves no mass, "
               "$\\sum m\\,\\dot r = \\sum m\\,u$, and by its sign it brings particles together in velocity, $\\sum "
@@ -124,7 +124,7 @@ TEST_CASE("energy and angular momentum are conserved to the order of the steps",
       });
 }
 
-TEST_CASE("a symmetric patch does not begin to turn", "[conservation]") {
+TEST_CASE("a symmetric patch does not start to rotate", "[conservation]") {
   Check check("wcsph_symmetric_patch", "Angular momentum of a symmetric patch",
               "The stretching disc on a particle arrangement symmetric about both axes: angular momentum stays at "
               "round-off although steps are explicit.",
@@ -156,8 +156,8 @@ Particles at_rest(Particles particles) {
   return particles;
 }
 
-TEST_CASE("density diffusion creates no mass and leaves linear densities alone", "[conservation]") {
-  Check check("wcsph_density_diffusion", "Density diffusion: what it keeps",
+TEST_CASE("density diffusion conserves mass and leaves linear densities unchanged", "[conservation]") {
+  Check check("wcsph_density_diffusion", "Density diffusion: conservation",
               "Disordered particles at rest with random densities and masses, so that the rates of the density are the "
               "diffusion alone. What one particle of a pair gains the other loses: $\\sum_a V_a D_a = 0$, $V = "
               "m/\\rho$, in a free blob and in a periodic box. A linear density, with the free surface of the blob "
@@ -192,9 +192,9 @@ TEST_CASE("density diffusion creates no mass and leaves linear densities alone",
                               name_of(kernel)),
                   {static_cast<double>(sum / scale)},
                   Roundoff{60, 1,
-                           "terms of a pair are the same numbers bit by bit but for their volumes: 4 roundings of each "
-                           "and of the sums of some 45 of them, which may be 10 times the rate; over hundreds of "
-                           "particles they cancel as random numbers do"});
+                           "terms of a pair are bitwise identical except for their volumes: 4 roundings of each and of "
+                           "the sums of some 45 of them, which may be 10 times the rate; over hundreds of particles "
+                           "they cancel as random numbers do"});
     }
     Particles linear = at_rest(random_blob(spacing, 1000, 1));
     for (std::size_t a = 0; a < linear.size(); ++a)

@@ -142,10 +142,10 @@ TEST_CASE("rates equal the sums over all pairs with clamped walls and density di
   }
 }
 
-TEST_CASE("particle shifting is that of the sums over all pairs", "[conservation]") {
+TEST_CASE("particle shifting agrees with sums over all pairs", "[conservation]") {
   Check check("wcsph_shifting", "Particle shifting against sums over all pairs",
               "A jittered square of 21 by 21 particles with random velocities and densities, after a step in which the "
-              "longest shift is cut off: places, velocities and densities against sums over all pairs. Particles at "
+              "longest shift is cut off: positions, velocities and densities against sums over all pairs. Particles at "
               "its edge and their neighbours stay.");
   constexpr double tau = 0.015;
   for (const KernelName kernel : {KernelName::cubic_spline, KernelName::wendland_c2}) {
@@ -183,12 +183,12 @@ TEST_CASE("particle shifting is that of the sums over all pairs", "[conservation
     check.holds(fmt::format("Particles are shifted as by sums over all pairs ({}).", name_of(kernel)),
                 {difference.value()},
                 Roundoff{2, 21,
-                         "the two places are rounded as numbers of up to 21 dx; the shift, 0.1 dx or less, and "
+                         "the two positions are rounded as numbers of up to 21 dx; the shift, 0.1 dx or less, and "
                          "velocities and densities have errors below that"});
   }
 }
 
-TEST_CASE("the step rule is that of the sums over all pairs", "[conservation]") {
+TEST_CASE("the time step agrees with sums over all pairs", "[conservation]") {
   Check check("wcsph_step_rule", "Length of the step",
               "$\\Delta t = 0.3\\min_a h_a/(c_a + \\sigma_a)$ with $\\sigma_a$ the largest $|h_{ab}\\,u_{ab}\\cdot "
               "r_{ab}|/(r_{ab}^2 + 0.01 h_{ab}^2)$ over neighbours inside the support.",
@@ -199,8 +199,8 @@ TEST_CASE("the step rule is that of the sums over all pairs", "[conservation]") 
   const double expected = DirectSums(noisy_square(16, spacing), spacing, flow.settings()).largest_step();
   check.that("step", "The first step has the length of the rule.", "dt [s]", {flow.stable_step()},
              Roundoff{40, expected,
-                      "two evaluations of some 10 roundings of h, of the sound speed and of their quotient, and that "
-                      "of rho/rho_0, which the cube of the sound speed counts three times (as 9)",
+                      "two evaluations of some 10 roundings of h, of the sound speed and of their quotient, and one of "
+                      "rho/rho_0, which the cube of the sound speed counts three times (as 9)",
                       expected});
 }
 
@@ -270,7 +270,7 @@ double kinetic_energy(const Particles& p) {
   return sum;
 }
 
-TEST_CASE("a tank that is carried at a uniform velocity sees nothing of it", "[conservation]") {
+TEST_CASE("a tank carried at a uniform velocity is unaffected by it", "[conservation]") {
   Check check("wcsph_carried_tank", "Tank carried at a uniform velocity",
               "Water settling in a tank, 50 steps: with all walls carried by a paddle at 2 m/s and the water at the "
               "same velocity, against walls that stand. Wall particles must be where their motion has them at every "

@@ -64,9 +64,9 @@ void claim_orders(Check& check) {
 }
 
 void draw(Check& check) {
-  auto& sizes = check.figure("wavelength", "Error of the frequency on 2DH lattices",
-                             "Relative error against the Green-Naghdi law for square cells: along an axis the terms of "
-                             "second order cancel for long waves, at 45 degrees they do not.");
+  auto& sizes = check.figure("wavelength", "Error of the frequency on 2DH meshes",
+                             "Relative error against the Green-Naghdi law for square cells: along an axis the "
+                             "second-order terms cancel for long waves, at 45 degrees they do not.");
   auto& panel = sizes.panel({.x = "wavelength/H", .y = "-(omega/omega_GN - 1)", .log_x = true, .log_y = true});
   std::vector<double> wavelengths;
   for (double length = 2.9; length < 40; length *= 1.05) wavelengths.push_back(length);
@@ -78,9 +78,9 @@ void draw(Check& check) {
                  direction == 0 ? Role::computed : Role::peer);
     }
   }
-  auto& rose = check.figure("anisotropy", "Anisotropy of the 2DH lattice",
+  auto& rose = check.figure("anisotropy", "Anisotropy of the 2DH mesh",
                             "Size of the relative error of the frequency against the direction of the wave, h = H/2: "
-                            "in polar form, distance from the centre in per cent, and against the angle.");
+                            "in polar form, distance from the centre in %, and against the angle.");
   auto& polar = rose.panel({.x = "error along x [%]", .y = "error along y [%]", .equal_aspect = true});
   auto& angles = rose.panel({.x = "direction [degrees]", .y = "omega/omega_GN - 1 [%]"});
   for (const double length : {4.0, 6.0, 10.0}) {

@@ -73,8 +73,8 @@ TEST_CASE("the 2DH model's linearised matrices have the eigenvalues of the close
     check.holds("Modes of " + tank.text() + " are eigenvectors.", {rest.value()},
                 Roundoff{30, kick.value() * (1 + condition(tank) / std::sqrt(cells)),
                          "some thirty roundings of a row of a direct solution, in the units of gravity's kick, which "
-                         "the pressure nearly balances in long waves; what is smooth of them, their mean over the "
-                         "cells, is amplified by the condition"});
+                         "the pressure nearly balances in long waves; their smooth part, the mean over the cells, is "
+                         "amplified by the condition"});
   }
 }
 
@@ -85,7 +85,7 @@ TEST_CASE("standing waves in 2DH have the frequencies of the closed form", "[dis
               "amplitudes, by least squares over the run, free of its time step.");
   auto& figure = check.figure("frequencies", "Frequencies of three boxes of cells in 2DH",
                               "Lines: closed form along the x axis. Points: runs, at any angle, divided by the closed "
-                              "form of their wavenumber and multiplied by that along the axis.");
+                              "form of their wavenumber and multiplied by the value along the axis.");
   auto& panel = figure.panel({.x = "k H", .y = "omega sqrt(H/g)"});
   constexpr double phase = 0.2;  // omega tau
   constexpr int steps = 200;

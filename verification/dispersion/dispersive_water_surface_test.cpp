@@ -38,11 +38,11 @@ double harmonic(const std::vector<double>& samples, int periods) {
   return 2 * std::abs(sum) / static_cast<double>(samples.size());
 }
 
-TEST_CASE("the water's surface of a wave between equal markers has its closed form", "[dispersion]") {
+TEST_CASE("the water's surface of a wave between equal nodes has its closed form", "[dispersion]") {
   Check check("water_surface_factor", "The water's surface: factor of waves over a level bottom",
-              "Markers at equal distances over one depth: a wave of theirs is a wave of the water's surface, (1 + 3 S "
-              "gamma/4)/(1 + S gamma/4) times as high, S = (2 sin(kh/2)/h)^2 over the depth 1, for every wave that the "
-              "markers resolve, in a ring and between walls.");
+              "Nodes at equal distances over one depth: a wave of the nodes corresponds to a wave of the water's "
+              "surface with an amplitude (1 + 3 S gamma/4)/(1 + S gamma/4) times theirs, S = (2 sin(kh/2)/h)^2 over "
+              "the depth 1, for every wave that the nodes resolve, in a ring and between walls.");
   Largest ring, walls;
   constexpr int n = 24;
   constexpr double h = 0.3;
@@ -64,9 +64,10 @@ TEST_CASE("the water's surface of a wave between equal markers has its closed fo
       walls.add(std::abs(of_walls[i] - factor * y[i]));
     }
   }
-  const Roundoff rounding{.operations = 100,
-                          .scale = 3,
-                          .reason = "elimination of 24 rows of four operations; places of up to 7 rounded against 0.3"};
+  const Roundoff rounding{
+      .operations = 100,
+      .scale = 3,
+      .reason = "elimination of 24 rows of four operations; positions of up to 7 rounded against 0.3"};
   const auto claim = [&](const std::string& id, const std::string& where, double value) {
     check.holds(id + ": Every wave " + where + " is higher by its factor.", {value}, rounding);
   };
@@ -74,15 +75,15 @@ TEST_CASE("the water's surface of a wave between equal markers has its closed fo
   claim("walls", "between walls", walls.value());
 }
 
-TEST_CASE("the water's surface is of second order over an uneven bottom", "[dispersion]") {
+TEST_CASE("the water's surface is second-order accurate over an uneven bottom", "[dispersion]") {
   Check check("water_surface_order", "The water's surface: order over an uneven bottom",
-              "With L w = (H^2 w_x)_x, w = sin x and H = 1 + 0.3 cos x, markers at uneven places carry w - gamma L "
+              "With L w = (H^2 w_x)_x, w = sin x and H = 1 + 0.3 cos x, nodes at uneven positions carry w - gamma L "
               "w/4; the water's surface there is w - 3 gamma L w/4.",
               derived);
   refine(check, {"width of a cell", widths(2 * pi, {50, 100, 200, 400})},
          {{"order",
            "The error of the water surface converges at second order.",
-           {2, 0.05, "smooth places, differences between neighbours"}}},
+           {2, 0.05, "smooth positions, differences between neighbours"}}},
          [](double width) {
            const auto n = static_cast<int>(cells_of(2 * pi, width));
            std::vector<double> x, y, zeta, volume;
@@ -107,12 +108,12 @@ TEST_CASE("the water's surface is of second order over an uneven bottom", "[disp
          });
 }
 
-TEST_CASE("second harmonics of the water's surface are Stokes's", "[dispersion]") {
+TEST_CASE("second harmonics of the water's surface agree with Stokes", "[dispersion]") {
   Check check("water_surface_stokes", "The water's surface: bound second harmonics",
               "In a wave of permanent form the second harmonic is (k a^2/4) (3 - s^2)/s^3, s = tanh k, after Stokes. "
-              "That of the water's surface with gamma = 1/15 and alpha = 2/5 must agree to the order k^4 of its error; "
-              "that of the markers and of Serre's equations agree to k^2 only. And waves that begin with the markers' "
-              "own second harmonic keep it.",
+              "The second harmonic of the water's surface with gamma = 1/15 and alpha = 2/5 must agree to the order "
+              "k^4 of its error; the harmonics of the nodes and of Serre's equations agree to k^2 only. Waves that "
+              "start with the nodes' own second harmonic retain it.",
               "Stokes, Trans. Camb. Phil. Soc. 8 (1847) 441");
   refine(check, {"k", {0.1, 0.15, 0.2, 0.3}},
          {{"surface",
@@ -152,13 +153,13 @@ TEST_CASE("second harmonics of the water's surface are Stokes's", "[dispersion]"
   }
   check.from(derived).that(
       "kept", "The second harmonic of the wave on the nodes changes by at most 2 % in six periods.",
-      "largest change over it", {.value = deviation.value(), .resolution = "128 markers, steps of 0.02"},
+      "largest change over it", {.value = deviation.value(), .resolution = "128 nodes, steps of 0.02"},
       Bound{0.02,
-            "terms of the third order in the slope, and straight lines between markers, are parts "
-            "of a thousand of it; a free one beside it would beat with twice what is wrong"});
+            "third-order terms in the slope, and straight lines between nodes, are some 0.1 % of it; an additional "
+            "free harmonic would beat with twice the error"});
 }
 
-TEST_CASE("the water's surface shoals as Airy's energy flux", "[dispersion]") {
+TEST_CASE("the water's surface shoals at constant Airy energy flux", "[dispersion]") {
   Check check(
       "water_surface_shoaling", "The water's surface over a slope",
       "Small waves with kh = 1.5 climb a gentle slope from the depth 1 to 0.3. What the surface's amplitude has become "
@@ -232,17 +233,16 @@ TEST_CASE("the water's surface shoals as Airy's energy flux", "[dispersion]") {
     before += harmonic(records[j], 2) / 4;
     after += harmonic(records[j + 4], 2) / 4;
   }
-  const std::string resolution = "7980 markers, 85 a wavelength";
+  const std::string resolution = "7980 nodes, 85 a wavelength";
   check.that(
       "own", "The amplitude agrees with the model's own flux of energy within 0.5 %.", "amplitude above over below",
       {.value = after / before, .resolution = resolution},
-      Bound{0.005 * own,
-            "what corners and slope reflect and what is left of the train's front, a few parts of a thousand", own});
+      Bound{0.005 * own, "reflections by corners and slope and remains of the train's front, a few per mille", own});
   check.from("Airy's energy flux, e.g. Dean and Dalrymple, Water Wave Mechanics (1991), ch. 4")
       .that("airy", "The amplitude agrees with Airy's flux of energy.", "amplitude above over below",
             {.value = after / before, .resolution = resolution},
             Bound{std::abs(own - airy) + 0.005 * airy,
-                  "as before, and what the two laws of energy flux differ by at kh = 1.5", airy});
+                  "as before, and the difference between the two laws of energy flux at kh = 1.5", airy});
 }
 
 }  // namespace seiche::verification::dispersive_water_surface_test

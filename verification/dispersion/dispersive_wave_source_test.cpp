@@ -22,12 +22,12 @@ using validation::wave_statistics;
 constexpr double pi = std::numbers::pi;
 const std::string derived = "derived in wave_source.hpp";
 
-TEST_CASE("the wave source makes the record it is asked for", "[dispersion]") {
+TEST_CASE("the wave source generates the prescribed record", "[dispersion]") {
   Check check("wave_source", "Waves out of a force along the bottom",
               "A channel 1 m deep, a force at 0, and as the record at x = 6 three small waves of 3.75, 2.5 and 1.875 s "
-              "that repeat after 15 s, with phases. After 45 s, when the slowest has long come, the water's surface at "
-              "x = 6 is the record, with improved dispersion and without; at x = -6 it is the record upside down, for "
-              "the force pushes away from there what it pushes here. It sets in over 15 s.");
+              "that repeat after 15 s, with phases. After 45 s, long after the slowest has arrived, the water's "
+              "surface at x = 6 is the record, with improved dispersion and without; at x = -6 it is the record with "
+              "reversed sign, because the force is antisymmetric. It sets in over 15 s.");
   for (const double gamma : {0.0, 1.0 / 15}) {
     Channel channel{.bottom = std::make_shared<LevelBottom>(1.0), .gravity = 9.81, .alpha = 1.0 / 3 + gamma};
     channel.gamma = gamma;
@@ -63,12 +63,12 @@ TEST_CASE("the wave source makes the record it is asked for", "[dispersion]") {
     }
     const std::string which = gamma > 0 ? "improved dispersion" : "gamma = 0";
     const auto claim = [&](const std::string& side, double square) {
-      check.holds(fmt::format("The elevation with {} agrees with the requested record on the {}.", which, side),
-                  {std::sqrt(square / size.value())},
-                  Bound{0.02,
-                        "markers and steps: (omega tau)^2/24 of 3.4 rad/s and (k h)^2 of a wave of 4.6 m are parts of "
-                        "a thousand, and so is what the switched on waves leave of themselves; straight lines between "
-                        "samples of F, 0.0125 s, far less"});
+      check.holds(
+          fmt::format("The elevation with {} agrees with the requested record on the {}.", which, side),
+          {std::sqrt(square / size.value())},
+          Bound{0.02,
+                "nodes and steps: (omega tau)^2/24 of 3.4 rad/s and (k h)^2 of a wave of 4.6 m are some 0.1 %, and so "
+                "are remains of the switched on waves; straight lines between samples of F, 0.0125 s, far less"});
     };
     claim("right", right.value());
     claim("left", left.value());
@@ -78,8 +78,8 @@ TEST_CASE("the wave source makes the record it is asked for", "[dispersion]") {
 TEST_CASE("statistics of waves have their closed forms", "[dispersion]") {
   Check check("wave_statistics", "Standard deviation, skewness and asymmetry of a wave with its second harmonic",
               "a cos t + b cos(2 t + p) has the variance (a^2 + b^2)/2, and 3 a^2 b/4 times cos p and -sin p for its "
-              "mean cube and for that of its Hilbert transform a sin t + b sin(2 t + p). With p > 0 the wave pitches "
-              "forward in time: its front comes first.");
+              "mean cube and for its Hilbert transform's a sin t + b sin(2 t + p). With p > 0 the wave pitches forward "
+              "in time: its front comes first.");
   constexpr int n = 48;
   Largest deviation, skewness, asymmetry;
   for (const double phase : {0.0, 0.7, -0.7, 1.5, -2.4}) {

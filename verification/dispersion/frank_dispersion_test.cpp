@@ -22,11 +22,11 @@ const Roundoff round_off{
     .operations = 150,
     .scale = 4.0 / 3,
     .reason =
-        "widths of up to 25 cells are differences of places, rounded to the part 2^-52 of the box: each is off by the "
-        "number of cells, their mean by its root, as if there were 25 cells of two places in each of two runs; fifty "
-        "roundings of the law and the fit; the extrapolation weighs a run by 4/3"};
+        "widths of up to 25 cells are differences of positions, rounded to the part 2^-52 of the box: the error of "
+        "each is the number of cells, of their mean its root, as if there were 25 cells of two positions in each of "
+        "two runs; fifty roundings of the law and the fit; the extrapolation weighs a run by 4/3"};
 const Bound fed_back{1e-11,
-                     "volumes that are fed back bring the rounding of places of size 1, 1e-16, into an amplitude of "
+                     "volumes that are fed back bring the rounding of positions of size 1, 1e-16, into an amplitude of "
                      "1e-4, divided by phases of a step of about a tenth"};
 
 /// Numbers in [0, 1) that fill the cube of nine dimensions evenly: additive recurrence with powers of the root of
@@ -100,9 +100,9 @@ double progressive_frequency(const StandingBox& box, double amplitude, double di
 TEST_CASE("small waves have the frequency of the discrete law for any parameters", "[dispersion]") {
   Check check(
       "dispersion_frank", "Dispersion of the discrete dispersive shallow-water model",
-      "Standing waves between walls, for 60 sets of depth, gravity, spacing, wavenumber up to the shortest that "
-      "markers resolve, time step, and factors alpha, beta, gamma of the energies, spread evenly over their ranges. "
-      "The frequency, fitted to the series and extrapolated to no amplitude, is that of the closed form.");
+      "Standing waves between walls, for 60 sets of depth, gravity, spacing, wavenumber up to the shortest that nodes "
+      "resolve, time step, and factors alpha, beta, gamma of the energies, spread evenly over their ranges. The "
+      "frequency, fitted to the series and extrapolated to zero amplitude, agrees with the closed form.");
   const EvenSequence number;
   auto& figure = check.figure("deviation", "Deviation of measured frequencies from the law",
                               "60 sets of parameters; a deviation of zero is drawn as $10^{-17}$.");
@@ -147,16 +147,16 @@ TEST_CASE("progressive waves have the frequency of standing waves", "[dispersion
       }
       check.holds(fmt::format("{}-{}", stepping == Stepping::one_step ? "one-step" : "conservative",
                               direction > 0 ? "right" : "left") +
-                      ": Waves that travel have the frequency of standing waves, in both directions.",
+                      ": Progressive waves have the frequency of standing waves, in both directions.",
                   {worst.value()}, round_off);
     }
   }
 }
 
-TEST_CASE("compositions approach the law of the continuous time with the fourth power of the step", "[dispersion]") {
+TEST_CASE("compositions converge to the dispersion of continuous time at fourth order in the step", "[dispersion]") {
   Check check("dispersion_compositions", "Frequencies of the fourth-order compositions",
-              "Triple jump and Suzuki's composition, of both schemes: the frequency leaves that of continuous time "
-              "with $\\tau^4$.",
+              "Triple jump and Suzuki's composition, of both schemes: the frequency departs from its value in "
+              "continuous time as $\\tau^4$.",
               "Yoshida (1990); Suzuki (1990)");
   for (const Stepping stepping : {Stepping::one_step, Stepping::conservative}) {
     for (const TimeComposition composition : {TimeComposition::triple_jump, TimeComposition::suzuki}) {
@@ -166,7 +166,7 @@ TEST_CASE("compositions approach the law of the continuous time with the fourth 
       for (double tau = 0.32; tau > 0.03; tau /= std::numbers::sqrt2) steps.push_back(tau);
       refine(check, {"tau", steps, id, "Frequency, " + id, 1e-12},
              {{id,
-               "The composition's frequency is of fourth order: " + id + ".",
+               "The frequency of the composition is fourth-order accurate:  " + id + ".",
                {4, 0.1, "errors in even powers: the next is (omega tau)^2 = 0.1 of it at most"}}},
              [&](double tau) {
                const StandingBox box{.wavenumber = 1.5,

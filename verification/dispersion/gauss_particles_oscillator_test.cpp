@@ -77,7 +77,7 @@ class Slosh {
   double inertia_ = 0, frequency_ = 0;
 };
 
-TEST_CASE("a mode of free particles oscillates by leapfrog's law", "[dispersion]") {
+TEST_CASE("a mode of Gauss-principle particles oscillates at the leapfrog frequency", "[dispersion]") {
   Check check("gauss_particles_oscillator", "Gauss-principle particles: phase and stability of one mode",
               "Water that can only slosh by the stream function (x^2 - 1) y has one frequency omega_0, which follows "
               "from sums over its particles. With steps of length tau it oscillates with $\\sin(\\omega\\tau/2) = "
@@ -98,7 +98,7 @@ TEST_CASE("a mode of free particles oscillates by leapfrog's law", "[dispersion]
   }
   {
     const std::vector<double> found = water.amplitudes(1.99 / water.frequency(), 2000);
-    check.that("stable", "The amplitude at omega_0 tau = 1.99 stays bounded.", "largest amplitude over 2000 steps",
+    check.that("stable", "The amplitude at omega_0 tau = 1.99 is bounded.", "largest amplitude over 2000 steps",
                {.value = worst(found), .resolution = "128 particles, amplitude 1e-6"},
                Bound{1 + 2e-6,
                      "the law gives 1; 2000 steps of roundings of 1e-10 of it, which near the limit are magnified by "

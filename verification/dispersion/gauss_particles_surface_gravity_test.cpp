@@ -93,21 +93,22 @@ void check_surface_and_momentum(Check& check, const Wave& wave) {
              "The surface after five periods agrees with the wave within 1.5 times the phase error (omega tau)^2/12.",
              "rms difference of the markers' elevations [1/k]", {.value = wave.difference(), .resolution = resolution},
              Bound{1.5 * of_phase(steps, periods),
-                   "the phase errs by (omega tau)^2/12, so much of an amplitude of 0.2 over five periods; the lattice "
-                   "may add half as much, or it and not the steps would be the larger error"});
-  check.that("momentum",
-             "The momentum is conserved to round-off: the potential energy does not depend on where the water is.",
-             "largest error over the momentum", {.value = wave.momentum_defect(), .resolution = resolution},
-             Roundoff{steps * periods, 5,
-                      "one rounding per step of the sum of the velocities' magnitudes, 5 times the momentum"});
+                   "the phase errs by (omega tau)^2/12, so much of an amplitude of 0.2 over five periods; the grid may "
+                   "add half as much, or it and not the steps would be the larger error"});
+  check.that(
+      "momentum",
+      "The momentum is conserved to round-off: the potential energy does not depend on the position of the water.",
+      "largest error over the momentum", {.value = wave.momentum_defect(), .resolution = resolution},
+      Roundoff{steps * periods, 5,
+               "one rounding per step of the sum of the velocities' magnitudes, 5 times the momentum"});
 }
 
 TEST_CASE("with gravity on its surface a wave needs no penalty", "[dispersion]") {
   Check check("gauss_particles_surface_gravity", "Gauss-principle particles: gravity on the surface",
               "A Stokes wave of height 0.4 (wavelength 2 pi, depth pi) runs for five periods without the penalty. With "
-              "gravity on every particle it is lost by then: sums over particles do work on small eddies. With the "
-              "potential energy of the line of markers there is nothing that they could take. With the force of the "
-              "middle of a step the energy is not exact.",
+              "gravity on every particle the wave is lost by then: sums over particles do work on small eddies. With "
+              "the potential energy of the line of markers this work is zero. With the force at the middle of a step "
+              "the energy is not exact.",
               source);
   Wave wave(false, 0.6);
   wave.run(steps, periods);
@@ -115,15 +116,15 @@ TEST_CASE("with gravity on its surface a wave needs no penalty", "[dispersion]")
   check.that("energy", "The energy error is below (omega tau)^2/12, by which the energy of the steps differs.",
              "largest error over the kinetic energy", {.value = wave.energy_defect(), .resolution = resolution},
              Bound{turn / steps * turn / steps / 12,
-                   "(omega tau)^2/12, by which the energy that the steps keep differs from the exact one; a force that "
-                   "lags by a part of the step takes ten times as much in each period"});
+                   "(omega tau)^2/12, the difference between the energy that the steps conserve and the exact one; a "
+                   "force that lags by a part of the step removes ten times as much in each period"});
 }
 
-TEST_CASE("the discrete gradient of the surface's energy keeps the energy of a wave", "[dispersion]") {
+TEST_CASE("the discrete gradient of the surface's energy conserves the energy of a wave", "[dispersion]") {
   Check check("gauss_particles_surface_energy", "Gauss-principle particles: exact energy with gravity on the surface",
-              "The same wave with the discrete gradient of the potential energy over the markers' way, and inner cells "
-              "0.9 full: after five periods without the penalty the surface, the momentum and the energy are those of "
-              "the beginning. The phase lags by (omega tau)^2/12.",
+              "The same wave with the discrete gradient of the potential energy over the markers' displacement, and "
+              "inner cells 0.9 full: after five periods without the penalty the surface, the momentum and the energy "
+              "have their initial values. The phase lags by (omega tau)^2/12.",
               source);
   Wave wave(true, 0.9);
   wave.run(steps, periods);
@@ -135,8 +136,8 @@ TEST_CASE("the discrete gradient of the surface's energy keeps the energy of a w
          {{"order",
            "The surface converges with the second order of the step.",
            {2, 0.2,
-            "the next term of the phase is (omega tau)^2/5 of the first: 1 per cent over this range, and the lattice "
-            "adds 1e-4 to differences from 5e-4"}}},
+            "the next term of the phase is (omega tau)^2/5 of the first: 1 % over this range, and the grid adds 1e-4 "
+            "to differences from 5e-4"}}},
          [](double step) {
            Wave one_period(true, 0.9);
            one_period.run(static_cast<int>(cells_of(turn, step)), 1);

@@ -56,7 +56,7 @@ void claim_limits(Check& check) {
                   {(64 * at(0.05) - 20 * at(0.1) + at(0.2)) / 45},
                   Bound{1.4e-7,
                         "extrapolation leaves the product of the three k^2, 1e-6, times the coefficient of k^8, at "
-                        "most the 1/16 of 1/(1 + k^2/2); the 2DH lattice h^2/6 (1 - 0.6^4 - 0.8^4) = 7.7e-8",
+                        "most the 1/16 of 1/(1 + k^2/2); the 2DH mesh h^2/6 (1 - 0.6^4 - 0.8^4) = 7.7e-8",
                         1.0 / 3 + (tuned ? 0 : h3 * h3 / 6)});
     }
   }
@@ -118,14 +118,13 @@ void draw(Check& check) {
 TEST_CASE("the law of the hexahedral mesh has the known limits", "[dispersion]") {
   Check check(
       "exact_hexahedral_dispersion", "Dispersion law of the three-dimensional Lagrangian mesh",
-      "Frank's remark that waves longer than seven depths are well represented by cells as wide as the depth and half "
-      "as high holds at three per cent. The closed form against its layers one by one, the two-dimensional mesh along "
-      "an axis, one layer against "
-      "the 2DH model, the coefficient of long waves for both surface inertias, and the order in the size.",
+      "Frank's remark that waves longer than 7 h are well represented by cells of width h and height h/2 holds at 3 %. "
+      "The closed form against its layers one by one, the two-dimensional mesh along an axis, one layer against the "
+      "2DH model, the coefficient of long waves for both surface inertias, and the order in the size.",
       source);
   check.that("seven-depths", "The frequency error of waves of L/H = 7 on cells H wide and H/2 high is below 3 %.",
              "error of the frequency against Airy's law [%]", {layers_error(7, 1, 2)},
-             Bound{3, "Frank's remark, at three per cent"});
+             Bound{3, "Frank's remark, at 3 %"});
   for (const std::size_t layers : {1UL, 2UL, 3UL, 40UL}) {
     for (const SurfaceInertia inertia : {SurfaceInertia::nodal, SurfaceInertia::tuned}) {
       const std::string name = fmt::format("{}-{}", inertia == SurfaceInertia::tuned ? "tuned" : "nodal", layers);

@@ -83,7 +83,7 @@ TEST_CASE("standing waves in a box of hexahedra have the frequencies of the clos
   const std::array modes{Mode{1, 0}, Mode{2, 1}, Mode{3, 3}, Mode{0, 5}, Mode{7, 6}, Mode{9, 7}};
   auto& figure = check.figure("frequencies", "Frequencies of four boxes of hexahedra",
                               "Lines: closed form along the x axis. Points: runs, at any angle, divided by the closed "
-                              "form of their wavenumber and multiplied by that along the axis.");
+                              "form of their wavenumber and multiplied by the value along the axis.");
   auto& panel = figure.panel({.x = "k H", .y = "omega sqrt(H/g)"});
   for (const Tank& tank : tanks) {
     const auto law = tank.law();
@@ -115,7 +115,7 @@ TEST_CASE("standing waves in a box of hexahedra have the frequencies of the clos
                                 tank.rows, tank.layers),
                 {worst.value()},
                 Bound{1e-9,
-                      "amplitudes of 1e-6 change frequencies by their square, 1e-12, and are kept to 1e-11 by the "
+                      "amplitudes of 1e-6 change frequencies by their square, 1e-12, and are resolved to 1e-11 by the "
                       "solver, which second differences with omega tau = 0.2 divide by 0.04"});
   }
 }

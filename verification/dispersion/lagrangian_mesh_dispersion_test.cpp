@@ -43,8 +43,8 @@ TEST_CASE("the linearised mesh has the frequencies of the closed form", "[disper
   Check check(
       "dispersion_lagrangian_mesh", "Dispersion of the two-dimensional Lagrangian mesh",
       "The model is linearised about still water by its own calls: forces, constraints, masses. The eigenvalues of "
-      "that matrix are the frequencies of the tank, from one half-wave to the shortest, $k h_1 = \\pi$. They are those "
-      "of the closed form. All other modes are motionless: vortices, among them the hourglass motions.");
+      "that matrix are the frequencies of the tank, from one half-wave to the shortest, $k h_1 = \\pi$. They agree "
+      "with the closed form. All other modes are motionless: vortices, among them the hourglass motions.");
   auto& figure = check.figure("frequencies", "Frequencies of six meshes",
                               "Lines: closed form. Circles: eigenvalues of the linearised model.");
   auto& panel = figure.panel({.x = "k H", .y = "omega sqrt(H/g)"});

@@ -47,8 +47,8 @@ void claim(Check& check, const std::string& name, const std::string& lattice, co
                   lattice + ".",
               {found.wave.value()},
               Bound{1e-12,
-                    "second differences over a quarter of a depth leave 1e-15 of a cell's energy; the longest wave has "
-                    "1e-3 of the largest omega^2"});
+                    "second differences over h/4 leave 1e-15 of a cell's energy; the longest wave has 1e-3 of the "
+                    "largest omega^2"});
   check.holds("vortices-" + name + ": All other motions that the volumes allow are motionless, on " + lattice + ".",
               {found.vortex.value()}, Bound{1e-13, "the same differences, 1e-14 of a cell's energy"});
 }
@@ -78,12 +78,11 @@ double by_multipliers(const CellColumn& column, double kx, double ky) {
 }
 
 TEST_CASE("the laws of the models in three dimensions follow from their energies and volumes", "[dispersion]") {
-  Check check(
-      "exact_lattice_energies", "Waves on lattices of cells from energies and volumes alone",
-      "Potential energy and volumes of bilinear and trilinear cells by Gauss quadrature, differentiated twice about "
-      "rest, joined to an infinite lattice by the phases of a plane wave: the eigenvalues of the motions that keep the "
-      "volumes are the squared frequencies. One is the wave of the closed form, all others vanish.",
-      source);
+  Check check("exact_lattice_energies", "Waves on meshes of cells from energies and volumes alone",
+              "Potential energy and volumes of bilinear and trilinear cells by Gauss quadrature, differentiated twice "
+              "about rest, joined to an infinite mesh by the phases of a plane wave: the eigenvalues of "
+              "volume-conserving motions are the squared frequencies. One equals the closed form, all others vanish.",
+              source);
   const double third = 1.0 / 3;
   for (const auto& [name, g, depth, hx, hy, alpha] : {std::tuple{"2dh-square", 1.0, 1.0, 0.5, 0.5, third},
                                                       {"2dh-oblong", 9.81, 0.7, 0.4, 0.3, third},

@@ -128,7 +128,7 @@ TEST_CASE("frequencies of small oscillations and the largest stable step", "[dis
               "Four masses hang from a pin; a mode of frequency $\\Omega$ has amplitude 1e-7. The one-step scheme "
               "gives it the frequency $\\omega$ with $\\sin(\\omega\\tau/2) = \\Omega\\tau/2$, too high, and is stable "
               "for $\\Omega\\tau < 2$; the fully conservative one $\\tan(\\omega\\tau/2) = \\Omega\\tau/2$, too low by "
-              "twice as much. The modes are those of the linearised chain, by an eigenvalue solver.",
+              "twice as much. The modes of the linearised chain come from an eigenvalue solver.",
               source);
   const Modes all = modes();
   // Beyond 1.2 the sweeps of the implicit scheme, which gain (Omega tau)^2/4 each, take too many.
@@ -142,7 +142,7 @@ TEST_CASE("frequencies of small oscillations and the largest stable step", "[dis
   panel.line("arctangent law", conservative.step, conservative.law, Role::guide);
   const Bound small{1e-10,
                     "rounding of cos(omega tau), up to 1e-15, over its slope (omega tau)^2 of 3e-4 in the slowest mode "
-                    "at the smallest step; terms of second order in the amplitude are 1e-14"};
+                    "at the smallest step; second-order terms in the amplitude are 1e-14"};
   check.that("one-step", "The frequencies of the one-step scheme agree with the arcsine law.",
              "largest relative error of a frequency, all modes, Omega_max tau = 0.1 .. 1.8", {one_step.largest.value()},
              small);

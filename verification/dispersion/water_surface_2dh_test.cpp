@@ -54,9 +54,9 @@ Sheet turned(Shape shape, double h1, double h2, double angle) {
 
 TEST_CASE("the water's surface of a wave over equal rectangles has its closed form", "[dispersion]") {
   Check check("water_surface_factor_2dh", "The water's surface in 2DH: factor of waves over a level bottom",
-              "Rectangles of 0.3 x 0.2 depths between walls along a turned square: every wave cos(k x) cos(l y) of the "
-              "lattice is one of the water's surface, (1 + 3 s/4)/(1 + s/4) times as high, s = gamma Q with the Q of "
-              "dispersion_energy.hpp.",
+              "Rectangles of 0.3 h x 0.2 h between walls along a turned square: every wave cos(k x) cos(l y) of the "
+              "mesh corresponds to one of the water's surface with (1 + 3 s/4)/(1 + s/4) times its amplitude, s = "
+              "gamma Q with the Q of dispersion_energy.hpp.",
               derived);
   const Shape shape{12, 9};
   constexpr double h1 = 0.3;
@@ -87,14 +87,14 @@ TEST_CASE("the water's surface of a wave over equal rectangles has its closed fo
              "largest deviation over the amplitude",
              {.value = deviation.value(), .resolution = "12 x 9 rectangles, all waves"},
              Bound{2 * std::sqrt(13.0 * 10.0) * accuracy,
-                   "the solution's relative accuracy in the mean of 130 nodes; the surface is at most three times as "
-                   "high as the markers"});
+                   "the solution's relative accuracy in the mean of 130 nodes; the surface elevation is at most three "
+                   "times the nodes'"});
 }
 
-TEST_CASE("over waves along one axis the surface is the channel's", "[dispersion]") {
+TEST_CASE("for waves along one axis the surface agrees with a channel", "[dispersion]") {
   Check check("water_surface_channel_2dh", "The water's surface in 2DH: as in a channel",
               "Columns of unequal widths and depths, three rows of unequal widths, elevations at random along the "
-              "channel: each row's nodes against those of a channel with the water of a unit of width.",
+              "channel: each row's nodes against the nodes of a channel with the water of a unit of width.",
               derived);
   const Shape shape{20, 3};
   Sheet sheet(shape);
@@ -127,16 +127,16 @@ TEST_CASE("over waves along one axis the surface is the channel's", "[dispersion
     moved.add(std::abs(found[node] - sheet.z(node)));
   }
   check.that("same", "The surface of the 2DH model equals the surface of the 1D channel.",
-             "largest difference over the largest elevation above the markers",
+             "largest difference over the largest elevation above the nodes",
              {.value = difference.value() / moved.value(), .resolution = "20 x 3 cells"},
              Bound{std::sqrt(84.0) * 3 * accuracy,
                    "the solution's relative accuracy in the mean of 84 nodes whose areas differ 9 times"});
 }
 
-TEST_CASE("the surface holds the markers' water, whichever way the lattice lies", "[dispersion]") {
+TEST_CASE("the surface holds the nodes' water, whichever way the mesh lies", "[dispersion]") {
   Check check("water_surface_water_2dh", "The water's surface in 2DH: water and turns",
-              "Cells off a square at random with elevations and depths at random: the water between markers and "
-              "surface, and the surface of the same lattice turned by 40 degrees.",
+              "Cells off a square at random with elevations and depths at random: the water between nodes and surface, "
+              "and the surface of the same mesh turned by 40 degrees.",
               derived);
   Sheet sheet = turned({14, 11}, 1, 1, 0);
   std::minstd_rand random(5);
@@ -156,10 +156,10 @@ TEST_CASE("the surface holds the markers' water, whichever way the lattice lies"
     }
   }
   check.that("water", "The water volumes under nodes and surface agree within 20 times the solver's accuracy.",
-             "water between them over what was moved", {.value = water / moved, .resolution = "14 x 11 cells"},
+             "water between them over the water displaced", {.value = water / moved, .resolution = "14 x 11 cells"},
              Bound{20 * accuracy,
                    "the residual's sum: its accuracy times the root of 180 nodes, and the slope of the surface over "
-                   "what the solution moves"});
+                   "the displacement by the solution"});
   Sheet other = sheet;
   for (std::size_t node = 0; node < sheet.shape.nodes(); ++node) {
     const double angle = 40 * pi / 180;

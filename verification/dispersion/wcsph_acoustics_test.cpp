@@ -153,8 +153,8 @@ TEST_CASE("sound has the dispersion of the lattice and grows by the law of the m
 
   auto& panel = check
                     .figure("dispersion", "Numerical dispersion of sound",
-                            "Frequency over that of sound, with the error of the steps taken off. Lines: sums over the "
-                            "lattice. The limit of long waves is not 1.")
+                            "Frequency over the frequency of sound, with the error of the steps taken off. Lines: sums "
+                            "over the lattice. The limit of long waves is not 1.")
                     .panel({.x = "dx/wavelength", .y = "omega/(c_0 k)"});
   std::vector<double> parts, spline_curve, wendland_curve;
   for (double part = 0.002; part < 0.2; part += 0.002) {
@@ -169,7 +169,7 @@ TEST_CASE("sound has the dispersion of the lattice and grows by the law of the m
   panel.points("measured, Wendland", k_wendland, wendland, Role::peer);
 }
 
-TEST_CASE("the midpoint rule is of second order in phase and of third in energy", "[dispersion]") {
+TEST_CASE("the midpoint rule is second-order accurate in phase and third-order accurate in energy", "[dispersion]") {
   Check check("wcsph_time_order", "Orders of the steps",
               "The sound wave of N = 32, mode 2, with steps of 0.4, 0.2, 0.1 and 0.05 h/c_0 to the same time.", source);
   const Wave wave{32, 2};

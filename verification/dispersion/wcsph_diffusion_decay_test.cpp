@@ -59,7 +59,7 @@ TEST_CASE("density diffusion damps sound at the rate of the linear equations on 
               "$u = 10^{-6} c_0 \\sin kx$ on a square lattice in a periodic box, $\\delta = 0.1$, no viscosity. "
               "Density and velocity obey $\\dot r = -S u - \\delta c_0 h \\Lambda r$, $\\dot u = c_0^2 S r$ with the "
               "sums of the lattice, which the midpoint rule multiplies by one matrix each step: both amplitudes after "
-              "many steps are known. $\\Lambda$ is of fourth order in $k$: long waves are left alone.");
+              "many steps are known. $\\Lambda$ is of fourth order in $k$: long waves are not damped.");
   for (const KernelName kernel : {KernelName::cubic_spline, KernelName::wendland_c2}) {
     const bool spline = kernel == KernelName::cubic_spline;
     const double smoothing = spline ? 1.3 : 2.0;
@@ -107,8 +107,8 @@ TEST_CASE("density diffusion damps sound at the rate of the linear equations on 
           fmt::format("decay-{}-{}", name_of(kernel), mode) + ": The decay of sound agrees with the linear equations.",
           {apart},
           Bound{std::pow(2 * mach * k * sound_speed * duration, 2) + 1e-8,
-                "((gamma + 1)/4 M k c_0 t)^2, what comes back from the second harmonic; 1e-8: densities of 1 "
-                "are rounded some 500 times, 2e-16 sqrt(500) over 1e-6, and as much again"});
+                "((gamma + 1)/4 M k c_0 t)^2, the part returned by the second harmonic; 1e-8: densities of 1 are "
+                "rounded some 500 times, 2e-16 sqrt(500) over 1e-6, and as much again"});
     }
   }
 }

@@ -109,10 +109,9 @@ struct Row {
 };
 
 void judge(Check& check, const std::vector<Row>& rows, const std::string& reason) {
-  auto& panel = check
-                    .figure("oscillation", "Standing wave",
-                            "Velocities of the particles projected on those of the wave, over omega.")
-                    .panel({.x = "t [s]", .y = "amplitude [m]"});
+  auto& panel =
+      check.figure("oscillation", "Standing wave", "Velocities of the particles projected on the wave's, over omega.")
+          .panel({.x = "t [s]", .y = "amplitude [m]"});
   const std::vector<Role> roles{Role::computed, Role::peer, Role::data, Role::guide};
   std::size_t lines = 0;
   for (const Row& row : rows) {
@@ -134,8 +133,8 @@ void judge_narrow(const std::vector<Row>& rows) {
   Check check("wcsph_standing_wave_narrow", "Standing wave, cubic spline with h = 1.3 dx",
               "Wave of length 1 m and amplitude 0.02 m on 0.5 m of water between periodic sides, over dynamic wall "
               "particles, $\\alpha = 0.02$, three periods from a level surface. With 20 neighbours the square lattice "
-              "under hydrostatic pressure is a little stiff against shear: the frequency is 2 to 4 % high, whatever "
-              "amplitude, spacing, depth and sound speed are, and the excess is gone from $h = 1.5$ dx on.");
+              "under hydrostatic pressure is a little stiff against shear: the frequency is 2 to 4 % too high for any "
+              "amplitude, spacing, depth and sound speed; the excess vanishes from $h = 1.5$ dx on.");
   judge(check, rows, "stiffness of the lattice with 20 neighbours");
 }
 
@@ -145,14 +144,15 @@ TEST_CASE("a standing wave with a narrow cubic spline has the frequency of linea
                 {"h = 1.3 dx, depth 0.2 m", KernelName::cubic_spline, 1.3, 0.5, 0.04, {.depth = 0.2}}});
 }
 
-TEST_CASE("it has so on a finer lattice too", "[dispersion][full]") {
+TEST_CASE("a standing wave with a narrow cubic spline has the same frequency on a finer lattice",
+          "[dispersion][full]") {
   judge_narrow({{"h = 1.3 dx, 80 columns", KernelName::cubic_spline, 1.3, 0.5, 0.04, {.columns = 80}}});
 }
 
 TEST_CASE("a standing wave with a wide kernel has the frequency of linear theory within 1.5 %", "[dispersion][full]") {
   Check check("wcsph_standing_wave_wide", "Standing wave, wider kernels",
-              "The same with $h \\ge 1.5$ dx: what is left are the amplitude, $(ka)^2/8 = 0.2\\,\\%$ for standing "
-              "waves, and the walls' gap of a part of h.");
+              "The same with $h \\ge 1.5$ dx: the remaining effects are the amplitude, $(ka)^2/8 = 0.2\\,\\%$ for "
+              "standing waves, and the walls' gap of a fraction of h.");
   judge(check,
         {{"cubic spline, h = 1.5 dx", KernelName::cubic_spline, 1.5, 0.5, 0.015},
          {"cubic spline, h = 2 dx", KernelName::cubic_spline, 2.0, 0.5, 0.015},

@@ -20,13 +20,14 @@ using distributed::ranks;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapter 4";
 const std::string article =
-    "The lattice is shared out among the processes of one program (MPI); each computes on its own block and a ring of "
-    "its neighbours' cells, and PETSc solves the system of all cells by conjugate gradients, preconditioned by the "
+    "The mesh is shared out among the processes of one program (MPI); each computes on its own block and a ring of its "
+    "neighbours' cells, and PETSc solves the system of all cells by conjugate gradients, preconditioned by the "
     "diagonal. The flow on one process is stepped by the model itself, with a direct solver.\n\nThe two may differ by "
-    "what the iterations leave. A relative residual $\\varepsilon$ leaves at most the part $\\kappa\\varepsilon$ of "
-    "the multipliers, $\\kappa$ being the condition number of the preconditioned matrix (from the Lanczos coefficients "
-    "of the last solution), and they change velocities by less than the largest velocity $U$ in a step: after $N$ "
-    "steps the difference is below $N\\kappa\\varepsilon U$. It must vanish with $\\varepsilon$, in proportion.";
+    "the residual of the iterations. A relative residual $\\varepsilon$ leaves at most the part $\\kappa\\varepsilon$ "
+    "of the multipliers, $\\kappa$ being the condition number of the preconditioned matrix (from the Lanczos "
+    "coefficients of the last solution), and they change velocities by less than the largest velocity $U$ in a step: "
+    "after $N$ steps the difference is below $N\\kappa\\varepsilon U$. It must vanish with $\\varepsilon$, in "
+    "proportion.";
 
 void compare_with_one(const std::string& id, const std::string& title, const std::vector<Problem>& problems) {
   const std::vector<double> tolerances{1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11};
@@ -77,12 +78,13 @@ void compare_with_one(const std::string& id, const std::string& title, const std
         "The energy of the water that the processes hold together equals the energy in one process.",
         "difference over the energy", {.value = finest.energy / reference.energy - 1, .resolution = resolution},
         Bound{2 * part,
-              fmt::format("2 N kappa eps with kappa = {:.3g}: an energy has the square of what differs by N kappa eps",
-                          finest.condition)});
+              fmt::format(
+                  "2 N kappa eps with kappa = {:.3g}: energies are quadratic in quantities that differ by N kappa eps",
+                  finest.condition)});
     if (problem.window.reach) {
       check.that("shifts-" + problem.id,
                  "The number of columns left behind by the moving window equals the number in one process.",
-                 "columns left behind, less those on one process",
+                 "columns left behind, minus those on one process",
                  {.value = static_cast<double>(finest.shifts - reference.shifts),
                   .resolution = fmt::format("{} columns left behind", finest.shifts)},
                  Bound{0, "the water at the window's front is at rest"});
@@ -91,16 +93,16 @@ void compare_with_one(const std::string& id, const std::string& title, const std
   }
 }
 
-TEST_CASE("a 2DH flow shared out among processes is that of one process, to the tolerance of its solver") {
+TEST_CASE("a 2DH flow distributed over processes agrees with one process to the tolerance of its solver") {
   compare_with_one("flow_2dh", "2DH model", {box(), shoal(), wedge()});
 }
 
-TEST_CASE("a 2DH flow whose borders move is that of one process when it is shared out") {
+TEST_CASE("a 2DH flow with moving borders, distributed over processes, agrees with one process") {
   compare_with_one("moving_borders", "2DH model with a moving window, and with shorelines,",
                    {window(), canal(), island()});
 }
 
-TEST_CASE("the conservative scheme shared out among processes keeps the energy and ends its sweeps together") {
+TEST_CASE("the conservative scheme distributed over processes conserves the energy and ends its sweeps together") {
   constexpr double tolerance = 1e-11;
   const std::vector<Problem> problems{box(), shoal(), wedge(), canal()};
   std::vector<Outcome> outcomes;
@@ -134,8 +136,8 @@ TEST_CASE("the conservative scheme shared out among processes keeps the energy a
                "largest difference of a coordinate over the depth or a velocity over sqrt(g depth)",
                {.value = largest_difference(shared, reference), .resolution = resolution},
                Bound{static_cast<double>(problem.steps) * (settled + shared.condition * tolerance) * speed(reference),
-                     fmt::format("as for the one-step scheme, N kappa eps U with kappa = {:.3g}; and what sweeps may "
-                                 "still change, 1e-11 of U each time",
+                     fmt::format("as for the one-step scheme, N kappa eps U with kappa = {:.3g}; and changes by "
+                                 "further sweeps, 1e-11 of U each time",
                                  shared.condition)});
     check.that("copies-" + problem.id,
                "The difference between the copies that several processes hold of a node is zero.",
@@ -144,7 +146,7 @@ TEST_CASE("the conservative scheme shared out among processes keeps the energy a
   }
 }
 
-TEST_CASE("a lattice that tangles at one process stops all of them") {
+TEST_CASE("a mesh that tangles at one process stops all of them") {
   const Problem problem = box();
   distributed::PlanFlow flow(
       problem.lattice.shape, 1,
@@ -160,11 +162,11 @@ TEST_CASE("a lattice that tangles at one process stops all of them") {
   const double all_stopped = distributed::Decomposition::least(stopped);
   if (rank() > 0) return;
   Check check(fmt::format("distributed_breakdown_{}", ranks()), fmt::format("A breakdown on {} process(es)", ranks()),
-              "A jet in the south-west corner of the box tangles the lattice there.", source);
+              "A jet in the south-west corner of the box tangles the mesh there.", source);
   check.that("all-stop", "A breakdown in one process is a Divergence in all, with time and step.",
              "1 if all processes stopped",
              {.value = all_stopped, .resolution = fmt::format("{} steps before it", flow.steps())},
-             Qualitative{"every process caught Divergence", "a process that goes on alone waits for ever"});
+             Qualitative{"every process caught Divergence", "a process that continues alone waits forever"});
 }
 
 TEST_CASE("a shoreline that leaves the bottom at one process stops all of them") {
@@ -192,13 +194,13 @@ TEST_CASE("a shoreline that leaves the bottom at one process stops all of them")
   if (rank() > 0) return;
   Check check(fmt::format("distributed_shore_breakdown_{}", ranks()),
               fmt::format("A shoreline that leaves the bottom, on {} process(es)", ranks()),
-              "Water runs up the western shore of a canal, beyond the place up to which the bottom is known.", source);
+              "Water runs up the western shore of a canal, beyond the extent of the bottom.", source);
   check.that("all-stop", "A breakdown in one process at the end of a step is a Divergence in all.",
              "1 if all processes stopped", {.value = all_stopped, .resolution = why},
-             Qualitative{"every process caught Divergence", "a process that goes on alone waits for ever"});
+             Qualitative{"every process caught Divergence", "a process that continues alone waits forever"});
 }
 
-TEST_CASE("what a moving window cannot have is refused on many processes too") {
+TEST_CASE("options that a moving window excludes are rejected on many processes too") {
   const auto refusal = [](const Problem& problem) -> std::string {
     try {
       shared_out(problem, 1e-9);
@@ -219,7 +221,7 @@ TEST_CASE("what a moving window cannot have is refused on many processes too") {
   CHECK(refusal(shore).find("a moving window with a shoreline") != std::string::npos);
 }
 
-TEST_CASE("the decay of the lattice's pattern is refused") {
+TEST_CASE("the decay of the mesh's pattern is rejected") {
   const Problem problem = box();
   std::string message;
   try {
@@ -233,7 +235,7 @@ TEST_CASE("the decay of the lattice's pattern is refused") {
   CHECK(message.find("lattice_rate on many processes") != std::string::npos);
 }
 
-TEST_CASE("what all processes write is read back as it was") {
+TEST_CASE("the fields written by all processes are read back unchanged") {
   const Problem problem = box();
   // One folder for all: the number of the first process's program.
   const auto folder =

@@ -57,7 +57,7 @@ void compare_with_one(const std::string& id, const std::string& where, const std
               "As the 2DH model: blocks of columns of cells, of all layers each, and a ring of neighbours' columns. A "
               "relative residual $\\varepsilon$ leaves at most the part $\\kappa\\varepsilon$ of the multipliers, "
               "which change velocities by less than the largest velocity $U$ in a step.",
-              "decomposition of the lattice");
+              "decomposition of the mesh");
   const std::string resolution = fmt::format("{} x {} x {} cells, {} steps of {}, relative residual {:.0e}",
                                              mesh.plan.columns, mesh.plan.rows, mesh.layers, steps, step, tolerance);
   check.from("Frank, Discrete models of incompressible fluid (1994), chapter 4")
@@ -71,7 +71,7 @@ void compare_with_one(const std::string& id, const std::string& where, const std
              Bound{0, "copies are copied"});
   if (window.reach) {
     check.that("shifts", "The number of columns left behind by the moving window equals the number in one process.",
-               "columns left behind, less those on one process",
+               "columns left behind, minus those on one process",
                {.value = static_cast<double>(shared.shifts - reference.shifts),
                 .resolution = fmt::format("{} columns left behind", shared.shifts)},
                Bound{0, "the water at the window's front is at rest"});
@@ -80,7 +80,7 @@ void compare_with_one(const std::string& id, const std::string& where, const std
 
 const std::string hump_in_box = "a hump of water off the middle of a box";
 
-TEST_CASE("a flow of hexahedra shared out among processes is that of one process") {
+TEST_CASE("a flow of hexahedra distributed over processes agrees with one process") {
   compare_with_one("flow", "", hump_in_box, box_of_hexahedra(nullptr));
 }
 
@@ -89,16 +89,17 @@ std::shared_ptr<const PlanBottom> slope() {
       {.coefficient = -1}, {.coefficient = 0.02, .x_power = 1}, {.coefficient = 1e-3, .y_power = 2}});
 }
 
-TEST_CASE("a flow of hexahedra over an uneven bottom shared out among processes is that of one process") {
+TEST_CASE("a flow of hexahedra over an uneven bottom, distributed over processes, agrees with one process") {
   compare_with_one("slope", " over an uneven bottom", hump_in_box, box_of_hexahedra(slope()));
 }
 
-TEST_CASE("a conservative flow of hexahedra over an uneven bottom shared out among processes is that of one process") {
+TEST_CASE(
+    "a conservative flow of hexahedra over an uneven bottom, distributed over processes, agrees with one process") {
   compare_with_one("conservative", " over an uneven bottom, conservative scheme,", hump_in_box,
                    box_of_hexahedra(slope()), {}, {}, mechanics::Stepping::conservative);
 }
 
-TEST_CASE("a flow of hexahedra in a moving window shared out among processes is that of one process") {
+TEST_CASE("a flow of hexahedra in a moving window, distributed over processes, agrees with one process") {
   const Problem in_plan = window();
   const plan::Lattice& lattice = in_plan.lattice;
   const auto surface = [&lattice](std::size_t i, std::size_t j) { return lattice.z[lattice.shape.node(i, j)]; };

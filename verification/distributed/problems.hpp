@@ -40,7 +40,7 @@ inline double hump(double x, double y) {
 
 inline Problem box() {
   return {.id = "box",
-          .what = "a hump of water 0.3 depths high, off the middle of a box of 40 x 20 cells",
+          .what = "a hump of water, a/h = 0.3, away from the middle of a box of 40 x 20 cells",
           .lattice = plan::rectangular_lattice(
               {.begin = 0, .end = 20, .south = 0, .north = 10, .columns = 40, .rows = 20, .elevation = hump})};
 }
@@ -101,7 +101,7 @@ inline Problem window() {
   // The wave is lower than 1e-5 at 14 depths from its crest, which ends 4.4 east of where it meets the wall.
   constexpr double ahead = 20;
   return {.id = "window",
-          .what = "a solitary wave of 0.3 depths along a wall at 20 degrees, in a window that follows it",
+          .what = "a solitary wave of H/h = 0.3 along a wall at 20 degrees, in a window that follows it",
           .lattice = plan::rectangular_lattice(
               {.begin = -12,
                .end = 21,

@@ -69,7 +69,7 @@ Verdict verdict_of(const evidence::Record& record, const std::string& id) {
   return Verdict::error;
 }
 
-TEST_CASE("a wave that dies away or comes late is told by how much in a wavelength", "[evidence]") {
+TEST_CASE("the loss of height and the phase lag of a wave are reported per wavelength", "[evidence]") {
   Check check("attenuation_scores", "Waves that lose on their way",
               "The exact wave after every three quarters of a period, at the centres of 200 cells, with a known loss "
               "of height or phase.");

@@ -36,9 +36,9 @@ std::string change(const Summary::Outcome& before, const Summary::Outcome& after
 }
 
 TEST_CASE("a score is worse than its baseline where an error grew beyond both uncertainties", "[evidence]") {
-  Check check(
-      "score_baseline", "Worse than before, or noise",
-      "One claim with a limit of 1, before and after: what counts as worse, as an unexpected pass, as neither.");
+  Check check("score_baseline", "Worse than before, or noise",
+              "One claim with a limit of 1, before and after: which changes count as worse, as an unexpected pass, as "
+              "neither.");
   const auto is = [&](const std::string& text, const std::string& got, const std::string& expected) {
     check.holds(text, {got == expected ? 1.0 : 0.0}, Qualitative{expected, "it was made so"});
   };

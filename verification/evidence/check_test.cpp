@@ -11,7 +11,7 @@
 namespace seiche::verification {
 namespace {
 
-const Bound half{0.5, "half of what it is compared with"};
+const Bound half{0.5, "half of the expected value"};
 
 /// Records of this scope go to a folder of their own.
 class Elsewhere {
@@ -44,7 +44,7 @@ evidence::ObservedOrder first() {
   return errors.order();
 }
 
-TEST_CASE("a record is kept, also after an exception") {
+TEST_CASE("a record is written, also after an exception") {
   const Elsewhere elsewhere;
   { Check("kept", "Kept", "Written at the end.").that("a", "A is small.", "a", {.value = 0.1}, half); }
   CHECK(elsewhere.has("kept"));
@@ -60,7 +60,7 @@ TEST_CASE("a claim that is not met fails its test", "[!shouldfail]") {
   Checked{}.check.that("a", "A is small.", "a", {.value = 0.6}, half);
 }
 
-TEST_CASE("a number that is none fails its test", "[!shouldfail]") {
+TEST_CASE("a value that is not a number fails its test", "[!shouldfail]") {
   Checked{}.check.that("a", "A is small.", "a", {.value = std::numeric_limits<double>::quiet_NaN()}, half);
 }
 

@@ -53,7 +53,7 @@ double eleven(const Checkpoints& checkpoints, int& computed) {
   });
 }
 
-TEST_CASE("what is read of a tape is what was written", "[checkpoints]") {
+TEST_CASE("a tape is read back as it was written", "[checkpoints]") {
   std::vector<Gauge> written{{"left", 0.1, {{1, 2}, {}}}, {"", std::nullopt, {}}};
   Tape tape;
   tape(written);
@@ -82,7 +82,7 @@ TEST_CASE("a finished part is computed once, and removed with the folder", "[che
   CHECK_FALSE(std::filesystem::exists(folder.path().parent_path()));
   CHECK(eleven(*folder.open(resuming), computed) == 11);
   CHECK(computed == 2);
-  SECTION("without resumption what is there is removed") {
+  SECTION("existing parts are removed without resumption") {
     CHECK(eleven(*folder.open(afresh), computed) == 11);
     CHECK(computed == 3);
   }
@@ -122,14 +122,14 @@ TEST_CASE("a finished part is computed once, and removed with the folder", "[che
     CHECK(computed == 3);
     CHECK(checkpoints->notes().size() == 2);  // of reading and of writing
   }
-  SECTION("what a killed process was writing is cleared away") {
+  SECTION("partial files of a killed process are removed") {
     std::ofstream(folder.path() / ".h.checkpoint.4711.part") << "half";
     folder.open(resuming);
     CHECK_FALSE(std::filesystem::exists(folder.path() / ".h.checkpoint.4711.part"));
   }
 }
 
-TEST_CASE("a part goes on from the state it was in", "[checkpoints]") {
+TEST_CASE("a part continues from its last state", "[checkpoints]") {
   Folder folder;
   const auto sum_to = [](Part part, long last, long breaks_at) {
     long n = 1;
@@ -150,7 +150,7 @@ TEST_CASE("a part goes on from the state it was in", "[checkpoints]") {
   CHECK(sum == whole);
 }
 
-TEST_CASE("a run that was interrupted has taken what all its processes took", "[checkpoints]") {
+TEST_CASE("the time of an interrupted run is the sum over its processes", "[checkpoints]") {
   Folder folder;
   const auto wait = [&](const Checkpoints& checkpoints, const std::string& part) {
     return Part(checkpoints, part).result<double>([&] {
@@ -167,7 +167,7 @@ TEST_CASE("a run that was interrupted has taken what all its processes took", "[
   CHECK(folder.open(resuming, "g")->seconds() < 0.03);
 }
 
-TEST_CASE("a folder that cannot be written is a note, not the end", "[checkpoints]") {
+TEST_CASE("a folder that cannot be written gives a note and does not stop the run", "[checkpoints]") {
   const verification::ScratchFolder scratch("seiche_checkpoints_test");
   io::write_file(scratch.path() / "file", "not a folder");
   const Checkpoints checkpoints(scratch.path() / "file" / "case", "f", resuming);

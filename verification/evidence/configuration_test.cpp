@@ -16,7 +16,8 @@ Values configured(const std::string& text, const std::string& name = "riemann") 
   return values;
 }
 
-TEST_CASE("a configuration sets what it names, and a case's own table goes before the top", "[evidence]") {
+TEST_CASE("a configuration sets the parameters it names, and a case's own table overrides the top level",
+          "[evidence]") {
   const Values plain = configured("");
   CHECK(plain.standard());
   const Values set = configured("particles = 77\nright_depth = 1\n[riemann]\nright_depth = 0.5\n");
@@ -27,11 +28,11 @@ TEST_CASE("a configuration sets what it names, and a case's own table goes befor
   CHECK(configured("scheme = 'M2'").text("scheme") == "M2");
 }
 
-TEST_CASE("another case's table is none of a case's business", "[evidence]") {
+TEST_CASE("a case ignores the table of another case", "[evidence]") {
   CHECK(configured("[moving_bore]\nparticles = 77\nright_depth = 0.37\n").standard());
 }
 
-TEST_CASE("a whole number serves as a real one, a real one not as a whole", "[evidence]") {
+TEST_CASE("an integer is accepted as a real number, a real number not as an integer", "[evidence]") {
   CHECK(configured("time = 2").real("time") == 2.0);
   CHECK_THROWS_WITH(configured("particles = 50.5"), Contains("particles"));
 }

@@ -47,10 +47,10 @@ std::string refusal(const std::string& text) {
   });
 }
 
-TEST_CASE("histories of volume, energy and momentum are judged by what the water conserves", "[evidence]") {
-  Check check(
-      "conservation_scores", "What a result conserves",
-      "Histories that are kept, lose, gain, or come back, in flows that conserve them and in flows that do not.");
+TEST_CASE("histories of volume, energy and momentum are assessed by the invariants of the flow", "[evidence]") {
+  Check check("conservation_scores", "What a result conserves",
+              "Histories that are constant, decrease, increase, or return, in flows that conserve them and in flows "
+              "that do not.");
   const auto is = [&](const std::string& text, const std::string& got, const std::string& expected) {
     check.holds(text, {got.find(expected) != std::string::npos ? 1.0 : 0.0},
                 Qualitative{"\"" + expected + "\"", "it was made so"});

@@ -33,7 +33,7 @@ TEST_CASE("a program in the build tree prefers the build tree's data", "[data_fo
   CHECK(data_folder(scratch.path() / "build/verification/verify_evidence", "render") == built);
 }
 
-TEST_CASE("a program without its data says which places it looked at", "[data_folder]") {
+TEST_CASE("a program without its data names the folders searched", "[data_folder]") {
   const verification::ScratchFolder scratch("seiche_data_folder_test");
   std::ofstream(made(scratch.path() / "prefix/share/seiche") / "render") << "a file, not a folder";
   const std::string prefix = (scratch.path() / "prefix").string();

@@ -53,7 +53,7 @@ TEST_CASE("every case declares its claims for every tier before it runs", "[evid
   }
 }
 
-TEST_CASE("declared failures fail within their whole band", "[evidence]") {
+TEST_CASE("known deviations fail within their whole band", "[evidence]") {
   for (const auto& [run, claims] : all_declared()) {
     for (const validation::DeclaredClaim& declared : claims) {
       // What only the run can tell decides where the band of the others ends.

@@ -34,7 +34,7 @@ std::size_t changed(const RecordedClaim& before, const RecordedClaim& after) {
   return evidence::changes({before}, {after}).size();
 }
 
-TEST_CASE("the evidence of record is read as it was written", "[evidence]") {
+TEST_CASE("the baseline is read back as it was written", "[evidence]") {
   RecordedClaim lost = bound(RecordedClaim::none);
   lost.claim = "lost";
   lost.verdict = "error";
@@ -85,7 +85,7 @@ TEST_CASE("a record that did not finish has a claim of its run", "[evidence]") {
   CHECK(evidence::recorded_claims({evidence::Summary{}}).empty());
 }
 
-TEST_CASE("digits tell a thousandth of the limit, and no more of a round-off", "[evidence]") {
+TEST_CASE("digits resolve a thousandth of the limit, and round-off to its order of magnitude", "[evidence]") {
   CHECK_THAT(evidence::to_csv({roundoff(3.8412e-15)}), Contains(",3.84e-15,"));
   RecordedClaim sharp = bound(1.00000000123456);
   sharp.limit = 1e-9;
@@ -130,7 +130,7 @@ TEST_CASE("an uncertainty that came, went, or grew behind a limit has changed", 
   CHECK_THAT(appeared.front(), Contains("uncertainty none -> 0.5"));
 }
 
-TEST_CASE("what cannot be compared has changed", "[evidence]") {
+TEST_CASE("values that cannot be compared count as changed", "[evidence]") {
   CHECK(changed(bound(RecordedClaim::none), bound(RecordedClaim::none)) == 0);
   CHECK(changed(bound(1), bound(RecordedClaim::none)) == 1);
   CHECK(evidence::changes({bound(1)}, {}).size() == 1);
@@ -144,7 +144,7 @@ TEST_CASE("what cannot be compared has changed", "[evidence]") {
   }
 }
 
-TEST_CASE("the verdict of record says what was declared, and what came out otherwise", "[evidence]") {
+TEST_CASE("the baseline verdict states the declaration and departures from it", "[evidence]") {
   const auto verdict = [](const std::string& declared, const std::string& found, bool as_declared) {
     evidence::Summary record;
     record.claims.emplace_back();

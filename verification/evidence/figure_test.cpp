@@ -31,7 +31,7 @@ struct Crossing {
   [[nodiscard]] Lattice lattice() const { return {columns, rows, x, y, z}; }
 };
 
-TEST_CASE("surfaces and plans keep the points of their lattice, holes among them", "[figure]") {
+TEST_CASE("surfaces and plan views retain the points of their grid, holes included", "[figure]") {
   Crossing crossing;
   crossing.z[7] = std::numeric_limits<double>::quiet_NaN();
   Panel panel({.x = "x", .y = "y", .z = "z"});
@@ -48,7 +48,7 @@ TEST_CASE("surfaces and plans keep the points of their lattice, holes among them
   }
 }
 
-TEST_CASE("a lattice whose arrays do not fit its cells is refused with their numbers", "[figure]") {
+TEST_CASE("a grid whose arrays do not fit its cells is rejected with their numbers", "[figure]") {
   const Crossing crossing;
   Panel panel({.x = "x", .y = "y", .z = "z"});
   Lattice wrong = crossing.lattice();

@@ -66,7 +66,7 @@ Ladder ladder_of_errors(double falling, double staying) {
   return ladder_of(wanted(evidence::Role::exact), rungs);
 }
 
-TEST_CASE("the first screen says where an error is, of what kind, whose it is and what to do", "[evidence]") {
+TEST_CASE("the summary of a score states position, kind and likely cause of an error and the next step", "[evidence]") {
   Check check("first_look", "Summary of a score",
               "A sine with errors of known kinds: two wavelengths, joined by straight lines between 201 points.");
   const auto share = [&](const std::string& text, double value) {
@@ -141,7 +141,7 @@ TEST_CASE("the claim that uses most of its limit decides, and the report's table
   std::vector<WantedTable> tables = wanted(evidence::Role::exact);
   tables.front().quantities.front().requirements.push_back({.measure = Measure::largest_error,
                                                             .criterion = Bound{1, "of this test"},
-                                                            .text = "The wave is not far off.",
+                                                            .text = "The wave is close to the reference.",
                                                             .source = "this test"});
   // A narrow bump: its largest error, 0.2, is a fifth of its limit; its relative L2 error, 0.04, most of it.
   const auto bump = values([](double x) { return std::sin(x) + 0.2 * std::exp(-std::pow((x - 4.5) / 0.2, 2)); });

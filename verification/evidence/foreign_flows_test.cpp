@@ -9,7 +9,7 @@ namespace seiche::verification::foreign_flows_test {
 
 using namespace validation;
 
-TEST_CASE("too few points of a foreign flow are refused", "[evidence]") {
+TEST_CASE("too few points of a foreign flow are rejected", "[evidence]") {
   for (const char* name : {"riemann", "moving_bore", "bore_reflection", "colliding_bores", "steady_bump",
                            "macdonald_channel", "wave_kinematics", "synolakis_beach"}) {
     INFO(name);
@@ -30,7 +30,7 @@ TEST_CASE("too few points of a foreign flow are refused", "[evidence]") {
   }
 }
 
-TEST_CASE("a periodic wave is not asked for where one that never moved is right", "[evidence]") {
+TEST_CASE("a periodic wave is not requested at times at which the initial state would be correct", "[evidence]") {
   Values values = find_case("wave_kinematics").values(Tier::quick);
   for (const double way : {16.0, 16.7, 23.3}) {
     INFO(way);

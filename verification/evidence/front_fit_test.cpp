@@ -14,8 +14,8 @@ using evidence::Qualitative;
 
 TEST_CASE("the rate of a front is found beside its shift", "[evidence]") {
   Check check("front_fit", "Shift and rate of a front",
-              "Points of a known front, read from a clock that is late and slow: both are found, and the stated "
-              "uncertainty of the front is carried to its rate.",
+              "Points of a known front, read from a clock with a lag and a slow rate: both are found, and the stated "
+              "uncertainty of the front is propagated to its rate.",
               "linear propagation");
   const auto front = [](double T) { return 1 + T * T / (1 + 0.55 * T); };
   std::vector<double> T, X;
@@ -52,7 +52,7 @@ TEST_CASE("the rate of a front is found beside its shift", "[evidence]") {
   check.that("uncertainty", "Twice the uncertainty of the front gives twice the uncertainty of the rate.", "ratio",
              {*twice.rate_numerical / *fit.rate_numerical}, Bound{1e-12, "round-off", 2});
   check.that("certain", "The uncertainty added by an exact front is zero.", "numerical uncertainty of the rate",
-             {*exact.rate_numerical}, Bound{0, "nothing was stated to be uncertain"});
+             {*exact.rate_numerical}, Bound{0, "no uncertainty was stated"});
   check.that("unstated", "The returned uncertainty is empty if none is stated.", "an uncertainty is given",
              {front_fit({T, X}, data, 100, std::nullopt).rate_numerical ? 1.0 : 0.0},
              Qualitative{"an uncertainty", "none was stated", false});

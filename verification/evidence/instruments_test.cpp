@@ -35,7 +35,7 @@ class Exactly {
   Check& check_;
 };
 
-TEST_CASE("what is required of a dam break is required of its mirror image", "[evidence]") {
+TEST_CASE("a mirrored dam break has the same requirements", "[evidence]") {
   const auto limits = [](const exact::Riemann& solution) {
     std::vector<double> all;
     for (const RiemannRequirement& one : riemann_requirements(solution, 2, -15, 15, 0.5)) {
@@ -49,7 +49,7 @@ TEST_CASE("what is required of a dam break is required of its mirror image", "[e
   for (std::size_t k = 0; k < right.size(); ++k) CHECK(left[k] == Approx(right[k]).epsilon(1e-9));
 }
 
-TEST_CASE("the curve of a profile goes forwards through its breaks", "[evidence]") {
+TEST_CASE("the curve of a profile advances across its gaps", "[evidence]") {
   const shallow_water::MeasuredProfile profile{.edges = {0, 1, 2},
                                                .means = {{1, 0}, {2, 0}},
                                                .reconstruction =
@@ -62,10 +62,10 @@ TEST_CASE("the curve of a profile goes forwards through its breaks", "[evidence]
   CHECK((curve.x.size() == 16 && curve.depth == curve.x));
 }
 
-TEST_CASE("instruments for series find what is in them", "[evidence]") {
+TEST_CASE("diagnostics for series return known values", "[evidence]") {
   Check check("instruments_of_series", "Instruments for series",
               "Peaks of a parabola, the frequency of a sum of harmonics, the period of a wave, the speed of a crest, "
-              "the line through points with known residuals, the limit of two lattices.");
+              "the line through points with known residuals, the limit of two grids.");
   const Exactly exactly(check);
 
   // Unequal times: the parabola is the same through any three of its points.
@@ -134,11 +134,11 @@ TEST_CASE("instruments for series find what is in them", "[evidence]") {
           limit.uncertainty, 0.75, 4, 2, "four operations");
 }
 
-TEST_CASE("errors of a profile are those of their definitions", "[evidence]") {
+TEST_CASE("errors of a profile equal their definitions", "[evidence]") {
   using namespace shallow_water;
   Check check("profile_errors", "Errors of shallow-water profiles",
               "A step of depth from 3 to 1 at x = 1.8 with velocities 2 and 0, cells of unequal width whose mean "
-              "depths are a tenth too high and whose velocities are a tenth too low: the errors follow by hand.");
+              "depths are 10 % too high and whose velocities are 10 % too low: the errors follow by hand.");
   const Exactly exactly(check);
   const auto exact = [](double x) { return x < 1.8 ? State{3, 2} : State{1, 0}; };
   // The third cell holds the step: mean depth 2.2, momentum 3.6 over mass 2.2.

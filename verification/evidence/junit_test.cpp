@@ -67,7 +67,7 @@ std::string outcome(pugi::xml_node test) {
   return "passed";
 }
 
-TEST_CASE("JUnit shows every verdict as what it is", "[junit]") {
+TEST_CASE("JUnit shows every verdict by its kind", "[junit]") {
   Junit junit;
   write(sample("seiche"), junit.scratch.path());
   const pugi::xml_node suite = find(junit.read(), "evidence.sample");
@@ -106,7 +106,7 @@ TEST_CASE("JUnit carries the numbers of a claim and the facts of its run as prop
   CHECK(property(test, "declared") == "pass");
 }
 
-TEST_CASE("JUnit totals are those of the suites, and of several records of one case no test shares its name",
+TEST_CASE("JUnit totals equal the sums over suites, and tests of several records of one case have different names",
           "[junit]") {
   Junit junit;
   for (const Record& record : {sample("seiche"), sample("other"), sample("seiche", "full"),
@@ -129,7 +129,7 @@ TEST_CASE("JUnit totals are those of the suites, and of several records of one c
   CHECK(names.size() == 30);
 }
 
-TEST_CASE("a JSON file that is no record is an error of JUnit and hides none of the others", "[junit]") {
+TEST_CASE("a JSON file that is not a record is an error of JUnit and hides no other record", "[junit]") {
   Junit junit;
   write(sample("seiche"), junit.scratch.path());
   io::write_file(junit.scratch.path() / "package.json", R"({"name": "somebody's"})");

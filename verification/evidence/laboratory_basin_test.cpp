@@ -43,8 +43,8 @@ struct Channel {
   [[nodiscard]] Bound bound() const {
     return {.limit = std::pow(k() * spacing, 2) / 12 + 2 * left() + rate / (4 * omega() * k() * layer()),
             .reason =
-                "the lattice errs by (k h)^2/12; waves reach the wall behind the layer and come back, twice exp(-int r "
-                "dx/c_g); its rate rises within a length L, which sends back r/(4 omega k L)"};
+                "the relative error of the grid is (k h)^2/12; waves reach the wall behind the layer and come back, "
+                "twice exp(-int r dx/c_g); its rate rises within a length L, which sends back r/(4 omega k L)"};
   }
 };
 
@@ -96,11 +96,11 @@ struct Sheet {
   static double height(Point at) { return 0.3 + 0.7 * at.x - 1.1 * at.y; }
 };
 
-TEST_CASE("a paddle makes the waves it should and the layer leaves none of them", "[evidence]") {
+TEST_CASE("a paddle generates the waves of theory and the layer absorbs them", "[evidence]") {
   Check check("laboratory_basin", "Waves in a laboratory basin",
               "A level channel 0.4572 m deep and 9 m long, with 6 to 18 m more in which waves are absorbed; waves of "
               "1, 2 and 3 s, so small that they are linear. Amplitude of the elevation over half a wavelength before "
-              "the layer: its mean, and how it varies, which tells the wave that returns.",
+              "the layer: its mean, and its variation, which measures the returning wave.",
               "validation/laboratory/wave_basin.hpp");
   for (const double period : {1.0, 2.0, 3.0}) {
     const Channel waves{.period = period, .spacing = 0.1};
@@ -110,15 +110,15 @@ TEST_CASE("a paddle makes the waves it should and the layer leaves none of them"
                "amplitude over the stated one, minus 1", {.value = found.mean - 1, .resolution = "h = 0.1 m"},
                waves.bound());
     check.that("reflection-" + id, "The amplitude reflected by the absorbing layer is below the limit.",
-               "amplitude of the wave that returns, over that of the one that comes",
+               "amplitude of the returning wave over the amplitude of the incident one",
                {.value = found.reflected, .resolution = "h = 0.1 m"}, waves.bound());
   }
 }
 
-TEST_CASE("gauges read the surface where they stand while the lattice moves", "[evidence]") {
-  Check check("laboratory_gauges", "Gauges on a moving lattice",
+TEST_CASE("gauges read the surface where they stand while the grid moves", "[evidence]") {
+  Check check("laboratory_gauges", "Gauges on a moving grid",
               "A plane surface over 12 x 9 cells off a square at random: bilinear patches hold it exactly. Gauges "
-              "inside, on a node, on a side; the lattice then drifts by 2.5 cells.",
+              "inside, on a node, on a side; the grid then drifts by 2.5 cells.",
               "bilinear maps hold planes");
   const Sheet before(0);
   const Sheet after(2.5);
@@ -132,13 +132,13 @@ TEST_CASE("gauges read the surface where they stand while the lattice moves", "[
   const auto second = gauges.read({after.x, after.y, after.z});
   for (std::size_t k = 2; k < places.size(); ++k) worst.add(second[k] - Sheet::height(places[k]));
   check.that("plane", "Gauges read a plane surface exactly, on the grid before and after rezoning.", "largest error",
-             {worst.value()}, Roundoff{40, 10, "forty roundings of places up to 10"});
+             {worst.value()}, Roundoff{40, 10, "forty roundings of positions up to 10"});
   PlanGauges outside(before.shape, {{-2, 4}, {20, 4}, {6, 12}});
   double numbers = 0;
   for (const double z : outside.read({before.x, before.y, before.z})) numbers += std::isnan(z) ? 0 : 1;
   check.from("validation/instruments/plan_gauges.hpp")
-      .that("outside", "Gauges outside the water have no reading.", "gauges outside that read a number",
-            {numbers}, Bound{0, "none stands in the water"});
+      .that("outside", "Gauges outside the water have no reading.", "gauges outside that read a number", {numbers},
+            Bound{0, "none stands in the water"});
 }
 
 }  // namespace seiche::verification::laboratory_basin_test

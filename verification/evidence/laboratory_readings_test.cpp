@@ -80,7 +80,7 @@ Scored scored(const std::string& name, const std::function<void(SubmittedGroup&)
   return result;
 }
 
-TEST_CASE("readings of a known curve are what they should be", "[evidence]") {
+TEST_CASE("readings of a known curve equal their exact values", "[evidence]") {
   Check check("laboratory_readings", "Readings of laboratory records",
               "What is read off a record, from curves of which it is known, and the uncertainty of it.");
   constexpr double period = 2.5;
@@ -115,7 +115,7 @@ TEST_CASE("readings of a known curve are what they should be", "[evidence]") {
             sampled(
                 1, 8, 100, [](double t) { return std::sin(t); }, 0.01),
             {2, 6}, 0.2),
-     0.2, 1e-12, "the record is 0.2005 late");
+     0.2, 1e-12, "the record lags by 0.2005");
   is(check, "misfit-uncertainty", "The uncertainty of a misfit combines two parts: points, and slope times clock.",
      misfit(0, {3.5, 5.5}).uncertainty(front), std::hypot(0.002, 0.05 * 0.03), 1e-12, "a straight line");
   is(check, "height-uncertainty",
@@ -125,9 +125,9 @@ TEST_CASE("readings of a known curve are what they should be", "[evidence]") {
      0.1, 1e-12, "trapezoids of a straight line");
 }
 
-TEST_CASE("what the tables of laboratories say is read as it is meant", "[evidence]") {
+TEST_CASE("tables of laboratory data are read with the meaning of their source", "[evidence]") {
   Check check("laboratory_tables", "Tables of laboratories",
-              "Repeats, percentiles, levels before arrival, and places, against what is known of each experiment.");
+              "Repeats, percentiles, levels before arrival, and positions, against the facts of each experiment.");
   const Series runs{.name = "runup",
                     .table = "matsuyama_tanaka_2001_monai_valley_runup",
                     .abscissa = {"place", "1", ""},
@@ -160,7 +160,7 @@ TEST_CASE("what the tables of laboratories say is read as it is meant", "[eviden
   is(check, "band", "The standard deviation of the repeats on the plateau is 0.24 +- 0.04 over 3.92.",
      linear_at({median.x, median.u}, 4.5), 0.061, 0.0105, "0.24 +- 0.04 over 3.92");
   is(check, "median-impulse", "The impulse of the median is 1.426.", impulse(0, {2.46, 4.0}).expected(median), 1.426,
-     0.01, "every twentieth row is kept: one row of 1.9 at the ends");
+     0.01, "every twentieth row is retained: one row of 1.9 at the ends");
   const Series gauges{.name = "gauges",
                       .table = "briggs_1996_composite_beach_c",
                       .group = Column{"gauge", "1", ""},
@@ -188,7 +188,7 @@ TEST_CASE("what the tables of laboratories say is read as it is meant", "[eviden
             Qualitative{"arrivals at x = 1.488, 0.992, 0.496 m increase", "water runs from the door to the wall"});
 }
 
-TEST_CASE("the metric of two readings is that of their covariance", "[evidence]") {
+TEST_CASE("the metric of two readings follows from their covariance", "[evidence]") {
   Check check("laboratory_metric", "The multivariate metric of an experiment",
               "Two values of 1 of one gauge, known to 0.05, of a wave whose amplitude is known to 0.1: half of the "
               "variance of the gauge is shared, the amplitude is.");
@@ -225,7 +225,7 @@ TEST_CASE("the metric of two readings is that of their covariance", "[evidence]"
      apart.difference / apart.noticed(), 8 / 2.2365, 2e-4, "five digits of the quantile of sqrt(0.95)");
   is(check, "shared",
      "A common error of 20 % within the amplitude's uncertainty passes, the same of opposite signs fails.",
-     (of(1.2, 1.2).passes() ? 1 : 0) + (apart.passes() ? 2 : 0), 1, 0, "what a shared source means");
+     (of(1.2, 1.2).passes() ? 1 : 0) + (apart.passes() ? 2 : 0), 1, 0, "definition of a shared source");
   Series run_up{.name = "runup",
                 .table = "",
                 .abscissa = {"t", "s", ""},
@@ -263,15 +263,15 @@ TEST_CASE("the metric of two readings is that of their covariance", "[evidence]"
      "time known to 0.11 s where 0.2 s is the most, have none.",
      decides(0.07, 0.09) + 2 * decides(0.3, 0.09) + 4 * decides(0.07, 0.11), 1, 0, "2.712 times 0.07 is below 0.2");
   is(check, "clear",
-     "Heights known to 30 % each have a numerical uncertainty where they are off by a factor of 2, and none by 1.5.",
+     "Heights known to 30 % each have a numerical uncertainty where they are wrong by a factor of 2, and none by 1.5.",
      decides(0.3, 0.09, 2) + 2 * decides(0.3, 0.09, 1.5), 1, 0,
      "2.712 times 0.3 is 0.81: such an error, common, explains 1.5");
 }
 
-TEST_CASE("records that are right pass and records that are wrong do not, in every laboratory case", "[evidence]") {
+TEST_CASE("correct records pass and wrong records fail, in every laboratory case", "[evidence]") {
   Check check("laboratory_right_and_wrong", "Right and wrong records of every laboratory case",
-              "Each case's own reference is submitted, as it is, with every second sample, times 1.2 known to a "
-              "tenth, and times 0.7 and 1.3 in turn known to three tenths.");
+              "Each case's own reference is submitted, as it is, with every second sample, times 1.2 known to 10 %, "
+              "and times 0.7 and 1.3 in turn known to 30 %.");
   const auto times = [](double factor) {
     return [factor](SubmittedGroup& group) {
       for (auto& [column, values] : group.values) {
@@ -306,17 +306,17 @@ TEST_CASE("records that are right pass and records that are wrong do not, in eve
   }
   const auto none = [&](const std::string& id, const std::string& text, const std::vector<std::string>& cases_of,
                         const std::string& reason) {
-    check.from("what scoring means")
-        .that(id, text, "cases that are judged otherwise",
+    check.from("definition of scoring")
+        .that(id, text, "cases with another verdict",
               {.value = static_cast<double>(cases_of.size()),
                .resolution = std::to_string(cases) + " cases",
                .where = fmt::format("{}", fmt::join(cases_of, ", "))},
               Bound{0, reason});
   };
-  none("own", "The measured records meet every claim of their own experiment.", own, "nothing is off");
+  none("own", "The measured records meet every claim of their own experiment.", own, "every error is zero");
   none("thinned", "Every second sample of the measured records can be scored.", halved,
        "half of the samples are no error");
-  none("vague", "The measured records times 1.2 with a stated uncertainty of a tenth of the range do not pass.", vague,
+  none("vague", "The measured records times 1.2 with a stated uncertainty of 10 % of the range do not pass.", vague,
        "such an uncertainty hides a factor of 1.2: inconclusive at best");
   none("vaguer",
        "The measured records times 0.7 and 1.3 in turn with a stated uncertainty of 30 % of the range neither pass nor "
@@ -341,7 +341,8 @@ TEST_CASE("records that are right pass and records that are wrong do not, in eve
        alone, "the front is known to 1 %, the run-ups to 6 %");
 }
 
-TEST_CASE("a common shift of time or of zero is not held against a record, that of one gauge is", "[evidence]") {
+TEST_CASE("a shift of time or zero common to all gauges is no error of a record, a shift of one gauge is",
+          "[evidence]") {
   Check check("laboratory_scores", "Clocks and zeros of gauges",
               "The measured records are submitted with one thing changed.");
   const auto shift = [](double by) {
@@ -358,7 +359,7 @@ TEST_CASE("a common shift of time or of zero is not held against a record, that 
   const Scored late = scored("dingemans_bar", shift(0.3));
   is(check, "clock", "The fitted common shift is 0.3 s if the origin of time is unknown.",
      late.numbers.at("gauges_time_shift"), 0.3, 0.005, "a parabola through lags 0.007 s apart");
-  check.from("what scoring means")
+  check.from("definition of scoring")
       .that("clock-passes", "The number of claims missed through a common shift of the clock is zero.",
             "claims that are missed", {static_cast<double>(late.missed)}, Bound{0, "the shift is common"});
   const Scored near = scored("henderson_collision", raised(0.0002));

@@ -63,10 +63,10 @@ std::string refusal(const std::vector<Rung>& rungs) {
   return message_of([&] { ladder_of(wanted_of(evidence::Role::exact), rungs); });
 }
 
-TEST_CASE("a ladder of sizes tells order, limit, what one per cent needs and what it costs", "[evidence]") {
+TEST_CASE("a grid-refinement series reports order, limit, and size and cost for 1 % error", "[evidence]") {
   Check check("score_ladder", "How fast somebody else's solver converges",
-              "Made-up results with an error of a known power of the size, on three sizes: what the score says of them "
-              "must be what they were made with.");
+              "Made-up results with an error of a known power of the size, on three sizes: the score must return the "
+              "values they were made with.");
   const auto close = [&](const std::string& text, double value, double expected, double limit, const std::string& why) {
     check.holds(text, {value / expected - 1}, Bound{limit, why});
   };
@@ -122,8 +122,8 @@ TEST_CASE("a ladder of sizes tells order, limit, what one per cent needs and wha
       outside += range->least <= range->size && range->size <= range->most ? 0 : 1;
     }
   }
-  is("The range of the size for one per cent holds that size, whatever the order's interval.",
-     outside == 0 && ranges >= 12, fmt::format("{} of {} without", outside, ranges));
+  is("The range of the size for 1 % holds that size, whatever the order's interval.", outside == 0 && ranges >= 12,
+     fmt::format("{} of {} without", outside, ranges));
   const Ladder wrong = ladder(1, 0.5);
   is("An error that does not converge to zero is reported.",
      wrong.line(wrong.quantities.at(1)).find("not to zero") != std::string::npos, wrong.line(wrong.quantities.at(1)));
@@ -136,8 +136,8 @@ TEST_CASE("a ladder of sizes tells order, limit, what one per cent needs and wha
         0.02, "the scan for the limit has steps of 0.005 in the order");
   std::map<std::string, StatedUncertainty> uncertainty{{"height", {.value = 0.7}}};
   add_numerical(measured, uncertainty);
-  close("A stated uncertainty is kept beside the uncertainty of the series.", uncertainty.at("height").value, 0.7, 0,
-        "the same number");
+  close("A stated uncertainty is reported beside the uncertainty of the series.", uncertainty.at("height").value, 0.7,
+        0, "the same number");
   close("An uncertainty that was not stated comes from the series, as a standard uncertainty.",
         uncertainty.at("eta").value, measured.quantities.at(0).typical / 2, 1e-15, "the same number");
   std::map<std::string, StatedUncertainty> none;

@@ -35,7 +35,7 @@ Points sampled(Function f, double last = 20) {
   return points;
 }
 
-TEST_CASE("what a curve was misread as is found, with its number", "[evidence]") {
+TEST_CASE("a misreading of a curve is found, with its factor or shift", "[evidence]") {
   Check check(
       "misreading", "What a difference looks like",
       "A gauge is shifted, lifted, turned, slowed, scaled, smeared or written in other units; each is recognised. "
@@ -44,9 +44,9 @@ TEST_CASE("what a curve was misread as is found, with its number", "[evidence]")
   const auto found = [&](const std::string& id, const Points& submitted, Kind kind, double amount, double accuracy,
                          const std::string& why) {
     const std::optional<Misreading> misread = misreading(submitted.curve(), reference.curve());
-    check.holds(id + ": It is recognised.", {misread && misread->kind == kind ? 1.0 : 0.0},
+    check.holds(id + ": The kind of misreading is recognised.", {misread && misread->kind == kind ? 1.0 : 0.0},
                 Qualitative{"the kind of the change", "it was planted"});
-    check.holds(id + "-amount: Its number is found.", {misread ? misread->amount : std::nan("")},
+    check.holds(id + "-amount: The factor or shift is found.", {misread ? misread->amount : std::nan("")},
                 Bound{accuracy, why, amount});
   };
   // Straight lines between points miss a curve of second derivative 0.1 by 0.1 spacing^2/8; over its slopes of 0.07 in
@@ -102,8 +102,7 @@ TEST_CASE("what a curve was misread as is found, with its number", "[evidence]")
 
 TEST_CASE("the diagnosis names gauges that are exchanged or cut short, and says one thing once", "[evidence]") {
   Check check("diagnosis", "What is said of a submission",
-              "Two gauges that were exchanged, a series that ends early, both gauges late by the same time, a number "
-              "in another unit.");
+              "Two gauges exchanged, a truncated series, the same lag at both gauges, a number in another unit.");
   std::vector<double> times;
   for (int k = 0; k <= 200; ++k) times.push_back(0.1 * k);
   const auto reference = [](Place p) { return std::sin(p.abscissa - 2 * p.group) + 0.3 * p.group; };
@@ -134,7 +133,7 @@ TEST_CASE("the diagnosis names gauges that are exchanged or cut short, and says 
     bool said = count == 0;
     for (const Finding& one : findings) said = said || (one.where + " " + one.words).find(words) != std::string::npos;
     check.holds(id + "-words: \"" + words + "\" is said.", {said ? 1.0 : 0.0},
-                Qualitative{"the sentence holds the words", "they name what was planted"});
+                Qualitative{"the sentence holds the words", "they name the seeded error"});
   };
   const auto at = [&](double x) { return [&, x](double t) { return reference({x, t}); }; };
   const auto late = [&](double x) { return [&, x](double t) { return reference({x, t - 0.5}); }; };

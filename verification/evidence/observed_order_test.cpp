@@ -76,7 +76,7 @@ TEST_CASE("an error that is not a finite number is an error, sizes must be posit
   CHECK_THROWS_AS(observed_order({0.1}, {1, 1}), std::invalid_argument);
 }
 
-TEST_CASE("the half-width of an observed order is Student's of a straight line and what the next order moves",
+TEST_CASE("the half-width of an observed order is Student's for a straight line plus the effect of the next order",
           "[order]") {
   // Residuals with neither mean nor slope over equidistant logarithms of the size, multiples of 0.01; the closed form
   // t(0.975, n - 2) sqrt(sum r^2/(n - 2)/sum (x - mean)^2) with quantiles of Student's distribution from a table.

@@ -27,9 +27,9 @@ Polyline circle(double radius, int points) {
   return curve;
 }
 
-TEST_CASE("a front that is late is found to be as late as it is", "[evidence]") {
+TEST_CASE("the lag of a front is found", "[evidence]") {
   Check check("shifted_front", "The shift of a front",
-              "A front $X = 1 + T^2/4$ and points of it that are 0.17 late, one of them beyond the tank.");
+              "A front $X = 1 + T^2/4$ and points of it that lag by 0.17, one of them beyond the tank.");
   const auto front = [](double T) { return 1 + 0.25 * T * T; };
   std::vector<double> T, X;
   for (int k = 0; k <= 3000; ++k) {
@@ -57,8 +57,8 @@ TEST_CASE("a front that is late is found to be as late as it is", "[evidence]") 
                     0.17});
   check.holds("The rms distance after the shift is zero.", {fit.rms},
               Bound{of_lines + of_halving * std::sqrt(squares / 4),
-                    "least squares leave no more than the true shift, whose lines leave 6e-8, and what is left of "
-                    "halving times the slopes"});
+                    "the residual of least squares is at most the residual of the true shift, whose lines leave 6e-8, "
+                    "and the remainder of halving times the slopes"});
   check.holds("Points beyond the tank are excluded.", {static_cast<double>(fit.points)}, Bound{0, "by hand", 4});
   double sum = 0;
   for (int k = 0; k < 4; ++k) sum += std::pow(front(late[k]) - measured[k], 2);
@@ -69,7 +69,7 @@ TEST_CASE("a front that is late is found to be as late as it is", "[evidence]") 
   CHECK_THROWS_AS(shifted_front({T, X}, {late, measured}, 1.0), std::invalid_argument);
 }
 
-TEST_CASE("distances of curves are those of lines and circles", "[evidence]") {
+TEST_CASE("distances of curves agree with lines and circles", "[evidence]") {
   Check check("polyline_distance", "Distance of curves",
               "Parallel lines, concentric circles, and a line that lies a period away.");
   const Polyline low{{0, 1}, {0, 0}};

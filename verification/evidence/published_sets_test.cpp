@@ -46,7 +46,7 @@ std::vector<std::string> tiles_of_atlas() {
 /// Tiles that no case fills: of models that the suite has not, and a sketch that a verification draws.
 const std::set<std::string> without_case{"frank-fig-4"};
 
-TEST_CASE("every tile of the atlas has the parameters of its source", "[evidence]") {
+TEST_CASE("every figure of the atlas has the parameters of its source", "[evidence]") {
   std::map<std::string, std::vector<std::string>> cases;
   for (const Case& one : all_cases()) {
     for (const Published& set : one.published) {
@@ -61,12 +61,12 @@ TEST_CASE("every tile of the atlas has the parameters of its source", "[evidence
     cases.erase(tile);
   }
   for (const auto& [tile, names] : cases) {
-    INFO(tile << " of " << names.front() << " is no tile of the atlas");
+    INFO(tile << " of " << names.front() << " is no figure of the atlas");
     CHECK(false);
   }
 }
 
-TEST_CASE("a published set starts from the defaults of its tier", "[evidence]") {
+TEST_CASE("an as-published set starts from the defaults of its tier", "[evidence]") {
   const Case c = with_sets({{.tiles = {"a", "b"}, .values = {{"time_step", 2}}, .tier = Tier::full}});
   const Values values = c.values(c.published_set("b"));
   CHECK(values.tier() == Tier::full);
@@ -78,14 +78,14 @@ TEST_CASE("a published set starts from the defaults of its tier", "[evidence]") 
   CHECK_THROWS_WITH(c.published_set("c"), Contains("must be one of a, b"));
 }
 
-TEST_CASE("a parameter of a published set is stated, chosen or different", "[evidence]") {
+TEST_CASE("a parameter of an as-published set is stated, chosen or different", "[evidence]") {
   const Published set{.tiles = {"a"}, .stated = {"particles"}, .different = {{"scheme", "M3"}}};
   CHECK(set.origin("particles") == "stated");
   CHECK(set.origin("scheme") == "different");
   CHECK(set.origin("time_step") == "chosen");
 }
 
-TEST_CASE("values are a published set by their numbers, in its tier or a longer one", "[evidence]") {
+TEST_CASE("values are an as-published set by their numbers, in its tier or a longer one", "[evidence]") {
   const Case c = with_sets({{.tiles = {"small"}}, {.tiles = {"large"}, .tier = Tier::full}});
   const Values quick = c.values(Tier::quick);
   CHECK(quick.as_published("small"));
@@ -105,7 +105,7 @@ TEST_CASE("values are a published set by their numbers, in its tier or a longer 
   CHECK_FALSE(back.are(theirs));
 }
 
-TEST_CASE("a tier runs its defaults and those of its sets that differ from them", "[evidence]") {
+TEST_CASE("a tier runs its defaults and the sets that differ from them", "[evidence]") {
   const Case c = with_sets({{.tiles = {"same"}},
                             {.tiles = {"other"}, .values = {{"scheme", "M2"}}},
                             {.tiles = {"again"}, .values = {{"scheme", "M2"}, {"particles", 10}}},
@@ -115,7 +115,7 @@ TEST_CASE("a tier runs its defaults and those of its sets that differ from them"
   CHECK(names_of_runs(c, Tier::paper).size() == 1);  // no tier of the case, but its set's
 }
 
-TEST_CASE("a published set that cannot be run is refused", "[evidence]") {
+TEST_CASE("an as-published set that cannot be run is rejected", "[evidence]") {
   CHECK_NOTHROW(with_sets({{.tiles = {"a"}, .values = theirs}}).check_published());
   const auto refused = [](std::vector<Published> sets, const std::string& word) {
     CHECK_THROWS_WITH(with_sets(std::move(sets)).check_published(), Contains(word));

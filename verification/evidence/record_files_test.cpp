@@ -83,7 +83,7 @@ TEST_CASE("a damaged record is an error that names the file", "[record]") {
   CHECK_THROWS_WITH(read_summaries(scratch.path()), Catch::Contains("broken.json"));
 }
 
-TEST_CASE("a file that is not committed leaves nothing behind and the old one in place", "[record]") {
+TEST_CASE("a file that is not committed leaves the old file unchanged and no new one", "[record]") {
   const verification::ScratchFolder scratch("seiche_record_files_test");
   const auto target = scratch.path() / "file.txt";
   io::write_file(target, "old");
@@ -96,7 +96,7 @@ TEST_CASE("a file that is not committed leaves nothing behind and the old one in
   CHECK(std::distance(std::filesystem::directory_iterator(scratch.path()), {}) == 1);
 }
 
-TEST_CASE("ids with other characters and figures named twice are refused", "[record]") {
+TEST_CASE("ids with other characters and figures named twice are rejected", "[record]") {
   Record record = sample();
   CHECK_THROWS_AS(record.figure("../x", "", ""), std::invalid_argument);
   CHECK_THROWS_AS(record.figure("profile", "", ""), std::invalid_argument);

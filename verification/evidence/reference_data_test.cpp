@@ -57,7 +57,8 @@ class Faults {
           std::pair{"uncertainty_reason", source_.uncertainty_reason}, std::pair{"recorded", source_.recorded}}) {
       if (text.size() < 3) fault(std::string(field) + " is missing");
     }
-    if (source_.sha256 != evidence::sha256_of_file(folder_ / "table.csv")) fault("sha256 is not that of table.csv");
+    if (source_.sha256 != evidence::sha256_of_file(folder_ / "table.csv"))
+      fault("sha256 differs from the digest of table.csv");
   }
 
   /// Every column has a role, and every name in source.toml is a column.
@@ -135,12 +136,12 @@ class Faults {
 };
 
 TEST_CASE("every reference table says where it comes from and how well it is known", "[evidence]") {
-  Check check("reference_data", "The reference tables",
-              "One folder per source under `reference_data`: `table.csv`, numbers only, and `source.toml`. Every "
-              "folder is checked: citation, what the numbers are, how they were obtained, checksum, units, the order "
-              "of the abscissae within each series, and for every measured or computed column a standard uncertainty "
-              "with its reason, marked where the source states none and it had to be assumed. Finite numbers and full "
-              "rows are demanded by the reader.");
+  Check check(
+      "reference_data", "The reference tables",
+      "One folder per source under `reference_data`: `table.csv`, numbers only, and `source.toml`. Every folder is "
+      "checked: citation, meaning and origin of the numbers, checksum, units, the order of the abscissae within each "
+      "series, and for every measured or computed column a standard uncertainty with its reason, marked where the "
+      "source states none and it had to be assumed. Finite numbers and full rows are demanded by the reader.");
   const std::vector<std::string> names = validation::reference_sources();
   std::vector<std::string> faults;
   std::size_t numbers = 0;
@@ -158,7 +159,7 @@ TEST_CASE("every reference table says where it comes from and how well it is kno
   }
   check.table(table);
   for (const std::string& fault : faults) UNSCOPED_INFO(fault);
-  check.holds("All " + std::to_string(names.size()) + " tables are complete, ordered, and what their checksums say.",
+  check.holds("All " + std::to_string(names.size()) + " tables are complete, ordered, and agree with their checksums.",
               {static_cast<double>(faults.size())}, Bound{0, "a fault is a fault"});
   for (const auto& entry : std::filesystem::directory_iterator(validation::reference_folder())) {
     INFO(entry.path());
@@ -166,11 +167,11 @@ TEST_CASE("every reference table says where it comes from and how well it is kno
   }
 }
 
-TEST_CASE("an unknown reference table is refused by name", "[evidence]") {
+TEST_CASE("an unknown reference table is rejected by name", "[evidence]") {
   CHECK_THROWS_AS(validation::reference_source("nobody_1900"), std::invalid_argument);
 }
 
-TEST_CASE("a source with a key that is not known, or of another type, is refused by file and key", "[evidence]") {
+TEST_CASE("a source with a key that is not known, or of another type, is rejected by file and key", "[evidence]") {
   const ScratchFolder folder("seiche_reference_source");
   const auto refused = [&](const std::string& text) {
     std::ofstream(folder.path() / "source.toml") << "citation = \"a book\"\n" << text;

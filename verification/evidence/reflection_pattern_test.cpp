@@ -60,7 +60,7 @@ void claim_pattern(Check& check, const Configuration& configuration) {
   const double t = time_of(waves);
   const SampledReflection sampled(waves, t, height_of(waves), spacing, configuration.disorder);
   const ReflectionPattern pattern = measured_reflection(sampled.lattice(), a);
-  const std::string what = fmt::format("kappa = {:g}, {} lattice: ", configuration.kappa,
+  const std::string what = fmt::format("kappa = {:g}, {} grid: ", configuration.kappa,
                                        configuration.disorder > 0 ? "disordered" : "uniform");
   const auto bounded = [&](const std::string& id, const std::string& text, double value, double expected, double limit,
                            const std::string& reason) {
@@ -79,13 +79,13 @@ void claim_pattern(Check& check, const Configuration& configuration) {
   const double band = (ReflectionBands{}.incident_to - ReflectionBands{}.incident_from) * height_of(waves);
   const double slope_error = 3 * error.place / band;
   bounded("incident-angle", "the angle of the incident wave is found.", pattern.incident_angle.value,
-          waves.incident().angle(), slope_error, "error E of the parabola's place in a band of length L: 3 E/L");
+          waves.incident().angle(), slope_error, "error E of the parabola's position in a band of length L: 3 E/L");
   const double stem =
       (waves.wall().at(0, t) - waves.incident().offset - waves.incident().speed * t) / waves.incident().lean;
   const double from_band = 0.89 * height_of(waves) - stem;
   bounded("stem-length", "where the incident line reaches the crest on the wall.", pattern.stem_length.value, stem,
           (2 * error.place + slope_error * from_band) / waves.incident().lean,
-          "errors of the places on the wall and in the band and of the slope, extrapolated");
+          "errors of the positions on the wall and in the band and of the slope, extrapolated");
   // The tail of the front crest, 4 exp(-8 S) = 0.002 of it at 8 depths, is in the uncertainty by the spread of the
   // rows.
   REQUIRE(pattern.reflected);
@@ -111,8 +111,8 @@ void draw(Check& check) {
   auto& figure = check.figure(
       "pattern", "Crests found on an exact surface of Mach reflection",
       fmt::format("Kadomtsev-Petviashvili equation, $a_i = {:g}$, $\\kappa = 0.5$, $t = {:.0f}$: elevations of the "
-                  "rows of a lattice, ten times exaggerated; the crests that are measured and the lines through them. "
-                  "The incident line meets the crest on the wall at the end of the stem.",
+                  "rows of a grid, ten times exaggerated; the crests that are measured and the lines through them. The "
+                  "incident line meets the crest on the wall at the end of the stem.",
                   a, t));
   auto& panel = figure.panel({.x = "x [depths]", .y = "distance from the wall y + 10 eta [depths]", .y_max = 150});
   const double origin = waves.wall().at(0, t);
@@ -150,10 +150,10 @@ void draw(Check& check) {
 TEST_CASE("amplitudes, angles and stem of a reflection are recovered from its surface", "[evidence]") {
   Check check(
       "reflection_measures", "Measuring Mach reflection",
-      "What is measured of the reflection of a solitary wave (amplitudes at the wall and of the incident and reflected "
+      "Measurements of the reflection of a solitary wave (amplitudes at the wall and of the incident and reflected "
       "wave, their angles, the stem's length and angle), on exact surfaces of the Kadomtsev-Petviashvili equation with "
-      "$a_i = 0.3$ sampled every half depth, on uniform lattices and on lattices whose nodes are displaced by up to 15 "
-      "% of the spacing. The limits are the error of the parabola through three nodes.");
+      "$a_i = 0.3$ sampled every h/2, on uniform grids and on grids whose nodes are displaced by up to 15 % of the "
+      "spacing. The limits are the error of the parabola through three nodes.");
   for (const double disorder : {0.0, 0.15}) {
     for (const double kappa : {0.4, 0.6, 0.8, 1.3}) {
       claim_pattern(check,
@@ -176,7 +176,7 @@ TEST_CASE("amplitudes, angles and stem of a reflection are recovered from its su
               Bound{2 * (2 + 3 * 55 / (0.14 * 80)) * error.place / waves.incident().lean / path,
                     "errors of two lengths of the stem over the path", waves.stem_growth() / waves.wall().speed});
   std::reverse(stem.begin(), stem.end());
-  check.holds("A stem that shrinks has a negative angle.",
+  check.holds("The angle of a shrinking stem is negative.",
               {stem_angle(wall_x, stem).value + std::atan((stem.front() - stem.back()) / path)},
               Roundoff{10, 1, "a line through two points and its angle"});
 

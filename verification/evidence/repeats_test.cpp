@@ -18,7 +18,7 @@ Submitted line(double above, double step) {
   return {{"wave", {group}}};
 }
 
-TEST_CASE("of several runs the mean is judged, and the scatter is known", "[evidence]") {
+TEST_CASE("of several runs the mean is evaluated, and the scatter is known", "[evidence]") {
   Check check("repeats", "Runs of one set-up",
               "Three straight lines, 0.01 below, on and above one another, the second on other points.");
   const Repeats repeats = repeats_of({line(-0.01, 0.5), line(0, 0.25), line(0.01, 0.5)});

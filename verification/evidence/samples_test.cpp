@@ -45,7 +45,7 @@ TEST_CASE("without samples every measure is NaN", "[samples]") {
   }
 }
 
-TEST_CASE("measures of numbers are those of their definitions", "[samples]") {
+TEST_CASE("measures of numbers equal their definitions", "[samples]") {
   const std::vector<double> samples{0.5, -3, 2, 1, 0};
   CHECK(seiche::worst(samples) == 3);
   CHECK(largest(samples) == 2);
@@ -66,7 +66,7 @@ TEST_CASE("measures of numbers are those of their definitions", "[samples]") {
   CHECK(std::isinf(infinite.value()));
 }
 
-TEST_CASE("extremes of parts are those of the whole, and a part without samples adds nothing", "[samples]") {
+TEST_CASE("extremes of parts equal the extremes of the whole, and a part without samples has no effect", "[samples]") {
   Worst whole, first, second;
   first.add(1, 10);
   second.add(-4, 20);

@@ -28,7 +28,7 @@ std::vector<WantedTable> wanted_tables() {
                            .reference = [](Place p) { return std::sin(p.abscissa - p.group); },
                            .requirements = {{.measure = Measure::relative_l2,
                                              .criterion = Bound{0.05, "of this test"},
-                                             .text = "The wave is the exact one.",
+                                             .text = "The wave equals the exact wave.",
                                              .source = "this test"}}}},
            .groups = {1, 2},
            .points = [x](double) { return x; }},
@@ -90,10 +90,10 @@ std::string refusal(const std::string& text) {
   return message_of([&] { scored({table(text, "mine.csv")}); });
 }
 
-TEST_CASE("a declared submission is measured and judged in every group", "[evidence]") {
+TEST_CASE("a declared submission is measured and evaluated in every group", "[evidence]") {
   Check check("declared_submission", "Scoring by declaration",
-              "A case that only declares what it wants gets templates, measures, claims and errors. Here: profiles at "
-              "two times and a measured number.");
+              "A case that only declares its requirements gets templates, measures, claims and errors. Here: profiles "
+              "at two times and a measured number.");
   const auto is = [&](const std::string& text, const std::string& got, const std::string& expected) {
     INFO(got << " / " << expected);
     check.holds(text, {got.find(expected) != std::string::npos ? 1.0 : 0.0},
@@ -118,7 +118,7 @@ TEST_CASE("a declared submission is measured and judged in every group", "[evide
     return static_cast<double>(record.figures().front().panels().front().series().front().x.size());
   };
   check.holds("An exact reference is drawn between the points.", {drawn(Role::exact)},
-              Bound{0, "601 places, and the points asked for", 601 + 51});
+              Bound{0, "601 positions, and the points asked for", 601 + 51});
   check.holds("A measured reference is drawn at its points only.", {drawn(Role::data)}, Bound{0, "its points", 51});
   check.holds("Each instant is measured separately.", {bad.measurements().at("eta_relative_l2_t_2")},
               Roundoff{2 * 51, 0.1, "a rounded term and a rounded sum for each of 51 points", 0.1});
@@ -149,12 +149,12 @@ TEST_CASE("a declared submission is measured and judged in every group", "[evide
      refusal("t,x,y,eta\n1,0,0,0\n1,1,0,0\n1,0,3,0\n1,1,3,0\n2,0,0,0\n2,1,0,0\n"), "holds y = 0 and 3, and one alone");
   is("Several rows of single numbers are rejected.", refusal("runup\n1\n2\n"),
      "mine.csv: column runup: 2 rows, must be exactly one");
-  is("A file that holds nothing wanted is rejected.", refusal("a,b\n1,2\n"), "is missing: the file has a, b");
+  is("A file without any quantity of the case is rejected.", refusal("a,b\n1,2\n"), "is missing: the file has a, b");
   is("The template has a row per point and time.", template_of(wanted_tables().front(), "# opening\n"),
      "t [s],x [m],eta [m]\n1,0,\n1,0.2");
 }
 
-TEST_CASE("what the reference does not know need not be submitted", "[evidence]") {
+TEST_CASE("quantities without a reference need not be submitted", "[evidence]") {
   const std::vector<WantedTable> wanted{
       {.name = "gauge",
        .kind = WantedTable::Kind::series,

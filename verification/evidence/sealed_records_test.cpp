@@ -51,7 +51,7 @@ struct Written {
   std::filesystem::path json;
 };
 
-TEST_CASE("a record that nobody touched is whole", "[record]") {
+TEST_CASE("an unchanged record is whole", "[record]") {
   const Written written;
   const Summary summary = read_summary(written.json, Reading::all_files);
   CHECK(summary.error.empty());
@@ -67,7 +67,7 @@ TEST_CASE("a number that was changed in a record is seen", "[record]") {
   CHECK_FALSE(read_summary(written.json).sealed);
 }
 
-TEST_CASE("so is what was put behind a record's digest", "[record]") {
+TEST_CASE("content appended after a record's digest is detected", "[record]") {
   const Written written;
   io::write_file(written.json, io::read_file(written.json) + "\n");
   CHECK_FALSE(written.error(Reading::json).empty());
@@ -104,7 +104,7 @@ TEST_CASE("a record with a new article is sealed again", "[record]") {
   CHECK_FALSE(written.error(Reading::json).empty());
 }
 
-TEST_CASE("a record without a digest is told from a changed one", "[record]") {
+TEST_CASE("a record without a digest is distinguished from a changed one", "[record]") {
   const Written written;
   std::string text = io::read_file(written.json);
   text = text.substr(0, text.rfind(",\n \"digest\"")) + "\n}\n";
@@ -118,7 +118,7 @@ TEST_CASE("escape sequences of a record do not reach the terminal", "[record]") 
   CHECK(read_summary(written.json).claims.at(0).text == "a ?[31mholds");
 }
 
-TEST_CASE("what is no file is no record", "[record]") {
+TEST_CASE("a path that is not a file is not a record", "[record]") {
   const Written written;
   const auto link = written.scratch.path() / "link.json";
   std::filesystem::create_symlink("sample.json", link);

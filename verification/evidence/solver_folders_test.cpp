@@ -89,7 +89,7 @@ TEST_CASE("numbers in folders, patches and wide tables get rows of their own", "
   folder.write("two/1/a_h.xy", "0 1\n");
   folder.write("two/1/b_h.xy", "5 1\n");
   folder.refused("several", "Sets of different points in one folder are not mixed.", "two", "2 sets");
-  folder.refused("no-times", "A folder without times is rejected, with what is there.", "", "line");
+  folder.refused("no-times", "A folder without times is rejected, with a list of its content.", "", "line");
 
   // The second start repeats t = 1; two of the probes stand above each other.
   const std::string probes = "# Probe 0 (1 0 0)\n# Probe 1 (1 0.5 0)\n# Time\n";
@@ -132,7 +132,7 @@ TEST_CASE("numbers in folders, patches and wide tables get rows of their own", "
   folder.refused("nowhere", "MeasureTool without a position is rejected.", "nowhere.csv", "no positions");
   folder.write("cut/fort.q0000", coarse.substr(0, coarse.size() - 7));
   folder.write("cut/fort.t0000", "0 time\n");
-  folder.refused("cut", "A patch that ends early is rejected.", "cut", "1 cells before the patch does");
+  folder.refused("cut", "A patch with missing rows is rejected.", "cut", "1 cells before the patch does");
 
   folder.write("sta_0007", "0 1 2 3\n");
   folder.is("station", "The columns of a station are its four quantities.", "sta_0007", "t,eta,u,v|0,1,2,3");

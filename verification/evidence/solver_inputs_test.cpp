@@ -32,7 +32,7 @@ std::string refusal(const std::string& text) {
   return message_of([&] { read(text); });
 }
 
-TEST_CASE("what is written for other solvers is what they read", "[evidence]") {
+TEST_CASE("files for other solvers are in the formats that these read", "[evidence]") {
   Check check("solver_inputs", "Initial states for other solvers",
               "Lists of OpenFOAM, grids of GeoClaw, a motion for DualSPHysics and a legacy VTK file, read back number "
               "by number.");
@@ -68,13 +68,14 @@ TEST_CASE("what is written for other solvers is what they read", "[evidence]") {
   double number = 0;
   while (word != "(") list >> word;
   list >> number >> number;
-  exactly("A scalar keeps its last digit.", number, 1.0 / 3);
+  exactly("A scalar is written with all its digits.", number, 1.0 / 3);
   is("Vectors of OpenFOAM are written in brackets.",
      validation::openfoam_field(std::vector<validation::Vector3>{{1, 0, -0.0}}), "List<vector>\n1\n(\n(1 0 0)\n)\n;");
 
   // Two rows in y, three in x: GeoClaw begins in the north-west.
   const std::vector<double> x{0, 1, 2}, y{10, 20}, z{1, 2, 3, 4, 5, 6};
-  is("GeoClaw's rows go from north to south.", validation::geoclaw_grid(x, y, z), "0 20 4\n1 20 5\n2 20 6\n0 10 1\n");
+  is("Rows of GeoClaw are ordered from north to south.", validation::geoclaw_grid(x, y, z),
+     "0 20 4\n1 20 5\n2 20 6\n0 10 1\n");
   is("A paddle's motion is written as time;position.",
      validation::dualsphysics_motion(std::vector<double>{0, 0.5}, std::vector<double>{0, 0.25}), "\n0;0\n0.5;0.25\n");
   const std::string vtk = validation::legacy_vtk("t", {2, 1, 1}, std::vector<validation::Vector3>{{0, 0, 0}, {1, 0, 0}},

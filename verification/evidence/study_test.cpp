@@ -89,7 +89,7 @@ Verdict verdict(const Record& record, const std::string& id) {
   return std::find_if(judged.begin(), judged.end(), [&](const auto& c) { return c.claim.id == id; })->judgement.verdict;
 }
 
-TEST_CASE("every declared claim is judged exactly once, in the order of its declaration", "[study]") {
+TEST_CASE("every declared claim is evaluated exactly once, in the order of its declaration", "[study]") {
   const Record record = record_of("fine");
   std::vector<std::string> ids;
   for (const JudgedClaim& judged : record.claims()) ids.push_back(judged.claim.id);
@@ -101,7 +101,7 @@ TEST_CASE("every declared claim is judged exactly once, in the order of its decl
   CHECK(record.measurements().at("depth") == 1.05);
 }
 
-TEST_CASE("a claim that could not be measured is an error under its own name, the others are judged", "[study]") {
+TEST_CASE("a claim that could not be measured is an error under its own name, the others are evaluated", "[study]") {
   for (const char* what : {"not measured", "not a number"}) {
     const Record record = record_of(what);
     CHECK(verdict(record, "crest") == Verdict::error);
@@ -113,13 +113,13 @@ TEST_CASE("a claim that could not be measured is an error under its own name, th
   CHECK(record_of("not measured").claims()[1].judgement.note == "no crest found");
 }
 
-TEST_CASE("a limit that the run had to tell and did not is an error, one beyond its cap decides nothing", "[study]") {
+TEST_CASE("a limit due from the run but not set is an error, one beyond its cap is inconclusive", "[study]") {
   CHECK(verdict(record_of("not told"), "told") == Verdict::error);
   CHECK(verdict(record_of("beyond the cap"), "told") == Verdict::inconclusive);
   CHECK_FALSE(record_of("beyond the cap").as_declared());
 }
 
-TEST_CASE("a run that crashes leaves every claim in error, declared failures too", "[study]") {
+TEST_CASE("a run that crashes leaves every claim in error, known deviations too", "[study]") {
   const Record record = record_of("crash");
   CHECK(record.error == "the depth became negative");
   CHECK(record.claims().size() == 4);
@@ -134,13 +134,13 @@ TEST_CASE("a run that gets no memory says so", "[study]") {
   CHECK(record_of("no memory").error.starts_with("out of memory"));
 }
 
-TEST_CASE("a declared failure of another size than declared is unexpected", "[study]") {
+TEST_CASE("a known deviation of another size than declared is unexpected", "[study]") {
   const Record record = record_of("another failure");
   CHECK(verdict(record, "overshoot") == Verdict::fail);
   CHECK_FALSE(record.as_declared());
 }
 
-TEST_CASE("a claim that does not apply is kept with its reason and not judged", "[study]") {
+TEST_CASE("a claim that does not apply is listed with its reason and not evaluated", "[study]") {
   const Record record = record_of("left out");
   REQUIRE(record.left_out().size() == 1);
   CHECK(record.left_out()[0].claim.id == "crest");
@@ -149,7 +149,7 @@ TEST_CASE("a claim that does not apply is kept with its reason and not judged", 
   CHECK(record.as_declared());
 }
 
-TEST_CASE("a case that declares a claim twice or claims nothing is refused before it computes", "[study]") {
+TEST_CASE("a case that declares a claim twice or has no claims is rejected before it computes", "[study]") {
   for (const char* what : {"twice", "nothing", "all left out"}) {
     CHECK_THROWS_AS(Study(claims, compute, show).claims(run_of(what)), std::logic_error);
     CHECK_THROWS_AS(record_of(what), std::logic_error);
@@ -160,7 +160,7 @@ TEST_CASE("parameters that do not go together are the user's error, not the case
   CHECK_THROWS_AS(record_of("refused"), std::invalid_argument);
 }
 
-TEST_CASE("what is refused at the case's own parameters is the case's error: every claim is in error", "[study]") {
+TEST_CASE("a rejection at the case's own parameters is the case's error: every claim is in error", "[study]") {
   Record record;
   record.name = "test";
   Study(claims, compute, show).run(run_of("refused", "refused"), record);
@@ -170,7 +170,7 @@ TEST_CASE("what is refused at the case's own parameters is the case's error: eve
   CHECK_FALSE(record.as_declared());
 }
 
-TEST_CASE("what cannot be shown keeps its verdicts and does not pass for finished", "[study]") {
+TEST_CASE("a case whose figures fail retains its verdicts and is not marked as finished", "[study]") {
   const Record record = record_of("not shown");
   CHECK(verdict(record, "depth") == Verdict::pass);
   CHECK_FALSE(record.error.empty());

@@ -61,7 +61,7 @@ TEST_CASE("every case that scores others passes its own reference and fails one 
     long claims = 0;
     const long exact = passed(one, values, wanted, 1, claims);
     check.holds(fmt::format("{}: the reference meets all {} claims.", one.name, claims),
-                {static_cast<double>(claims - exact)}, Bound{0, "the reference is what is asked for"});
+                {static_cast<double>(claims - exact)}, Bound{0, "the reference has the quantities asked for"});
     const long wrong = passed(one, values, wanted, 1.5, claims);
     check.holds(fmt::format("{}: a result 50 % too large fails.", one.name), {wrong < claims ? 1.0 : 0.0},
                 Qualitative{"fewer claims pass than there are", "half too large is outside every tolerance asked for"});

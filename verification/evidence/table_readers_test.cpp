@@ -47,8 +47,7 @@ class ReaderClaims {
     check_.holds(id + ": " + text, {wrong}, Bound{0, "numbers are read to their last bit"});
   }
   void is_refused(const std::string& id, const std::string& text, double value) const {
-    check_.holds(id + ": " + text, {value},
-                 Qualitative{"std::invalid_argument", "nothing is made up for what cannot be read"});
+    check_.holds(id + ": " + text, {value}, Qualitative{"std::invalid_argument", "unreadable input gives no values"});
   }
 
  private:
@@ -69,12 +68,12 @@ TEST_CASE("a table has every number where the file has it", "[evidence]") {
       "another\n\"2e-3\",0.33333333333333331,9";
   std::istringstream in(text);
   const io::Table csv = io::read_csv(in, "table.csv");
-  claims.none_wrong("csv-numbers", "The numbers of a CSV file are read in their places.",
+  claims.none_wrong("csv-numbers", "The numbers of a CSV file are read into their rows and columns.",
                     wrong_entries(csv.columns, numbers));
   claims.none_wrong("csv-names", "Column names of a CSV file are read.", wrong_words(csv.names, {"t", "h", "u, x"}));
   claims.none_wrong("csv-units", "Units of CSV columns are read, and are empty where none is stated.",
                     wrong_words(csv.units, {"s", "m", ""}));
-  claims.none_wrong("csv-lines", "Each row of a CSV file knows its line number.",
+  claims.none_wrong("csv-lines", "Each row of a CSV file has its line number.",
                     wrong_entries({{csv.lines.begin(), csv.lines.end()}}, {{3, 5, 7}}));
   std::istringstream beginning("ab\r\ncdef\ngh");
   claims.none_wrong("most", "The number of bytes read is limited as requested.",
@@ -108,7 +107,7 @@ TEST_CASE("a table has every number where the file has it", "[evidence]") {
                     wrong_words(io::read_table(file, {"h"}).names, {"h"}));
 }
 
-TEST_CASE("units are what the BIPM's brochure and CF say they are", "[evidence]") {
+TEST_CASE("units agree with the BIPM's brochure and CF", "[evidence]") {
   using validation::conversion;
   std::istringstream factors(
       "cm|m|0.01 millimetres|m|0.001 dm|m|0.1 kilometers|m|1000 feet|m|0.3048 in|m|0.0254 msec|s|0.001 mins|s|60 "
@@ -133,7 +132,7 @@ TEST_CASE("units are what the BIPM's brochure and CF say they are", "[evidence]"
   CHECK_FALSE(validation::epoch_of("seconds since then"));
 }
 
-TEST_CASE("gauges beside each other are told by the numbers in their names", "[evidence]") {
+TEST_CASE("adjacent gauges are distinguished by the numbers in their names", "[evidence]") {
   using namespace validation;
   const WantedTable wanted{.name = "gauges",
                            .kind = WantedTable::Kind::series,

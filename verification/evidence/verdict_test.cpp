@@ -25,7 +25,7 @@ TEST_CASE("a bound passes inside, fails outside, and is inconclusive when the un
   CHECK(judge({.value = 2.0, .uncertainty = infinite}, bound).verdict == Verdict::inconclusive);
 }
 
-TEST_CASE("what is not a finite number is an error, whatever the criterion", "[verdict]") {
+TEST_CASE("a value that is not finite is an error, whatever the criterion", "[verdict]") {
   const Bound bound{.limit = 0.1, .reason = "test", .expected = 2.0};
   const Roundoff roundoff{.operations = 1, .scale = 1, .reason = "test"};
   const Uncertainty uncertainty{.expected = 2, .data = 0.1, .useful = 1, .reason = "test"};
@@ -83,7 +83,7 @@ TEST_CASE("a difference beyond an uncertainty too large for agreement fails", "[
   CHECK(judge({.value = 2.01, .uncertainty = 0}, vague).verdict == Verdict::fail);
 }
 
-TEST_CASE("agreement within uncertainties decides nothing where that of the computation was not estimated",
+TEST_CASE("agreement within uncertainties is inconclusive where the numerical uncertainty was not estimated",
           "[verdict]") {
   const Uncertainty decisive{.expected = 1, .data = 0.03, .input = 0.04, .useful = 0.2, .reason = "test"};
   CHECK(judge({.value = 1}, decisive).verdict == Verdict::inconclusive);
@@ -91,7 +91,7 @@ TEST_CASE("agreement within uncertainties decides nothing where that of the comp
   CHECK_FALSE(judge({.value = 1}, decisive).uncertainty.has_value());
 }
 
-TEST_CASE("what no uncertainty that decides explains fails, estimated or not", "[verdict]") {
+TEST_CASE("a difference beyond any uncertainty that decides fails, estimated or not", "[verdict]") {
   // 2 sqrt(0.03^2 + 0.04^2) = 0.1 of data and inputs, and 0.2 that is the most with which anything is decided.
   const Uncertainty decisive{.expected = 1, .data = 0.03, .input = 0.04, .useful = 0.2, .reason = "test"};
   CHECK(judge({.value = 1.31}, decisive).verdict == Verdict::fail);
@@ -102,7 +102,7 @@ TEST_CASE("what no uncertainty that decides explains fails, estimated or not", "
   CHECK(judge({.value = 5}, capped).verdict == Verdict::inconclusive);
 }
 
-TEST_CASE("what the run tells of a criterion decides up to its cap and no further", "[verdict]") {
+TEST_CASE("a criterion set by the run decides up to its cap and no further", "[verdict]") {
   const Criterion rounding = Roundoff{Amount::told_by_run(100), 10, "test"};
   const double eps = std::numeric_limits<double>::epsilon();
   const auto verdict = [&](double value, double operations) {
@@ -123,8 +123,7 @@ TEST_CASE("what the run tells of a criterion decides up to its cap and no furthe
   CHECK(judge({.value = 1.005}, settled(extrapolated, {.limit = -0.02})).verdict != Verdict::pass);
 }
 
-TEST_CASE("what the run had to tell and did not is refused, and so is what it told although it was stated",
-          "[verdict]") {
+TEST_CASE("an amount due from the run but not set is rejected, and so is one set although it was stated", "[verdict]") {
   const Criterion open = Roundoff{Amount::told_by_run(100), 10, "test"};
   CHECK_THROWS_AS(settled(open, {}), std::invalid_argument);
   CHECK_THROWS_AS(settled(open, {.scale = 1}), std::invalid_argument);
@@ -138,7 +137,7 @@ TEST_CASE("what the run had to tell and did not is refused, and so is what it to
   CHECK(record.claims().empty());
 }
 
-TEST_CASE("a criterion without a reason is refused", "[verdict]") {
+TEST_CASE("a criterion without a reason is rejected", "[verdict]") {
   CHECK_THROWS_AS(judge({.value = 1}, Bound{.limit = 1}), std::invalid_argument);
   CHECK_THROWS_AS(judge({.value = 1}, Roundoff{}), std::invalid_argument);
   CHECK_THROWS_AS(judge({.value = 1}, Uncertainty{}), std::invalid_argument);
@@ -158,7 +157,7 @@ TEST_CASE("a later success does not overwrite an earlier failure", "[record]") {
   CHECK_FALSE(record.as_declared());
 }
 
-TEST_CASE("a declared failure fails by as much as was declared, or is not as declared", "[record]") {
+TEST_CASE("a known deviation fails by as much as was declared, or is unexpected", "[record]") {
   const Bound bound{.limit = 0.1, .reason = "test"};
   const KnownFailure declared{.value = 5, .width = 0.5, .reason = "the method cannot do it"};
   const auto measured = [&](double value) {
@@ -184,7 +183,7 @@ TEST_CASE("a declared failure fails by as much as was declared, or is not as dec
   }
 }
 
-TEST_CASE("a declared failure needs a reason and a finite value, and no band", "[record]") {
+TEST_CASE("a known deviation needs a reason and a finite value, and no band", "[record]") {
   Record record;
   const Bound bound{.limit = 0.1, .reason = "test"};
   const auto declare = [&](const KnownFailure& failure) { record.known_failure(claim, {.value = 5}, bound, failure); };

@@ -71,8 +71,8 @@ void claim_coverage(Check& check) {
       "0.995, from t = 0.25/r to 8/r, also where it halts on its way (kappa = 0.98, t = 1/r).",
       {outside.value()},
       Bound{0,
-            "what a stem still misses at t is at most a_inf exp(-r t) with the rate r = S^3 kappa (1 - kappa)/3 of the "
-            "theory, and the interval reaches as far"});
+            "the remaining deficit of a stem at t is at most a_inf exp(-r t) with the rate r = S^3 kappa (1 - kappa)/3 "
+            "of the theory, and the interval reaches as far"});
   check.holds("The interval at t = 8/r is closed to exp(-8).",
               {.value = widest.value(), .where = fmt::format("kappa = {:g}", widest.where())},
               Bound{3 * std::exp(-8.0),
@@ -141,7 +141,7 @@ TEST_CASE("the limit of a growing wall amplitude is known within its stated unce
                0.2 * 598 / 600});
   CHECK_FALSE(none.steady());
   const History late = sampled(600, [](double t) { return t < 60 ? 0.5 : 1; });
-  check.holds("The early part of a steady series does not widen the uncertainty of its limit.",
+  check.holds("The initial part of a steady series does not widen the uncertainty of its limit.",
               {wall_limit(late.time, late.amplitude).amplitude.uncertainty.value()},
               Bound{1e-9, "fits of a constant, to round-off of sums over 200 values"});
 

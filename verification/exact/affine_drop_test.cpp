@@ -53,8 +53,8 @@ TEST_CASE("a free liquid ellipse stretches as its equation of motion demands", "
   Check check(
       "exact_affine_drop", "Free liquid ellipse",
       "A drop without gravity whose velocity is linear in the coordinates. Its axes against tables (circle of radius "
-      "1, rate 1), the invariants, the way back, the momentum equation along particle paths, the pressure on the "
-      "surface. The quadrature of the symmetric case and the integration of the general one check each other.",
+      "1, rate 1), the invariants, the reversed motion, the momentum equation along particle paths, the pressure on "
+      "the surface. The quadrature of the symmetric case and the integration of the general one check each other.",
       source);
   const StretchingDrop circle(1, 1, 1);
   self_test_holds(check, "circle", circle);
@@ -105,7 +105,7 @@ TEST_CASE("a free liquid ellipse stretches as its equation of motion demands", "
             "condition number of A, 15"});
 }
 
-TEST_CASE("points outside the drop and impossible drops are refused", "[exact]") {
+TEST_CASE("points outside the drop and impossible drops are rejected", "[exact]") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const DropInstant ellipse = StretchingDrop(2, 0.5, 1).at(0);
   CHECK_NOTHROW(ellipse.velocity(2, 0));

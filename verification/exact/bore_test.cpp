@@ -33,8 +33,9 @@ TEST_CASE("bore and stationary jump satisfy the jump conditions", "[exact]") {
   check.that(
       "momentum", "Momentum is conserved across the bore to round-off.", "residual of the momentum condition [m^3/s^2]",
       {2 * (u - a) * u - 0.5 * g * (1 - 4)},
-      Roundoff{20, 15,
-               "20 roundings, those of the speed and velocity included, of g (h1^2 - h0^2)/2 = 15 on each side"});
+      Roundoff{
+          20, 15,
+          "20 roundings, including the roundings of the speed and velocity, of g (h1^2 - h0^2)/2 = 15 on each side"});
   const auto energy_flux = [&](double h, double v) {
     return (v - a) * (0.5 * h * v * v + 0.5 * g * h * h) + 0.5 * g * h * h * v;
   };

@@ -117,7 +117,7 @@ Outcome outcome(const ExactSolution& solution, const std::map<std::string, doubl
     const exact::Evaluator evaluator = solution.evaluator(values);
     for (const exact::Identity& identity : evaluator.self_test()) {
       if (!(identity.defect <= identity.accuracy)) {  // NaN does not hold
-        return {.broken = fmt::format("{}: defect {:.3g}, accuracy {:.3g}", identity.name, identity.defect,
+        return {.broken = fmt::format("{}: residual {:.3g}, accuracy {:.3g}", identity.name, identity.defect,
                                       identity.accuracy)};
       }
     }
@@ -136,8 +136,8 @@ void try_members(bool longest) {
       "exact_corners", "Exact solutions at the corners of their ranges",
       "A declared range is a promise. The parameters of every solution of the catalogue are drawn: an end of the "
       "range, the default, or a number between, evenly or by magnitude; the same in every run, more of them where "
-      "`SEICHE_FUZZ` says how many times as many, others where `SEICHE_FUZZ_SEED` says so. What is accepted must pass "
-      "its self-test, and what is refused must be refused in a sentence that names a parameter.");
+      "`SEICHE_FUZZ` says how many times as many, others where `SEICHE_FUZZ_SEED` says so. Accepted parameters must "
+      "pass the self-test; rejected ones must be rejected in a sentence that names a parameter.");
   Count refused, nameless, broken;
   const auto is = [](double found) { return found > 0; };
   for (const ExactSolution& solution : exact::catalogue()) {
@@ -162,13 +162,14 @@ void try_members(bool longest) {
   check.holds("Every accepted parameter set satisfies the identities of the solution.", {broken.value()},
               Bound{0, "a declared range is a promise"});
   check.holds("Every rejection names a parameter of the solution.", {nameless.value()},
-              Bound{0, "the user must know what to change"});
+              Bound{0, "the user needs the parameter to change"});
   if (longest) return;
   check.holds("The share of rejected parameter sets lies between 5 % and 95 %, so that both ways are tried.",
               {refused.value() / members}, Bound{0.45, "between 5 % and 95 %", 0.5});
 }
 
-TEST_CASE("exact solutions keep their identities all over their ranges, or say which parameter to change", "[exact]") {
+TEST_CASE("exact solutions satisfy their identities over their whole ranges, or name the parameter to change",
+          "[exact]") {
   try_members(false);
 }
 

@@ -77,7 +77,7 @@ TEST_CASE("every entry of the catalogue is complete", "[exact]") {
   CHECK_THROWS_AS(exact::find_solution("no_such_solution"), std::invalid_argument);
 }
 
-TEST_CASE("every exact solution evaluates at its defaults and keeps its own identities", "[exact]") {
+TEST_CASE("every exact solution evaluates at its defaults and satisfies its own identities", "[exact]") {
   Check check = self_tests();
   for (const exact::ExactSolution& solution : exact::catalogue()) {
     if (!costliest.contains(solution.name)) evaluates(check, solution);

@@ -148,8 +148,9 @@ void claim_units(bool motions) {
     check.holds(
         fmt::format("The numbers of the exact solution {} are the same in other units.", solution.name),
         {worst.value()},
-        Roundoff{.operations = 1000,
-                 .reason = "some hundreds of roundings, relative; what an iteration or a series leaves is the same"});
+        Roundoff{
+            .operations = 1000,
+            .reason = "some hundreds of roundings, relative; the remainder of an iteration or a series is the same"});
   }
 }
 

@@ -19,10 +19,11 @@ constexpr double g = 9.81;
 const std::string source = "Stoker, Water Waves (1957), section 10.8; 30-digit arithmetic";
 
 TEST_CASE("the flow at the dam turns critical at the critical ratio", "[exact]") {
-  Check check("exact_critical_ratio", "The critical ratio of the dam break",
-              "At $r_c$ the plateau velocity equals its celerity and $h_* = 4 h_1/9$: the closed form is put back into "
-              "the Riemann solver, which does not know it. Below $r_c$ the state at the dam is that of the dry bed.",
-              source);
+  Check check(
+      "exact_critical_ratio", "The critical ratio of the dam break",
+      "At $r_c$ the plateau velocity equals its celerity and $h_* = 4 h_1/9$: the closed form is inserted into the "
+      "Riemann solver, which is independent of it. Below $r_c$ the state at the dam is the same as on a dry bed.",
+      source);
   const double ratio = Stoker::critical_ratio();
   const Stoker dam(g, 1, ratio);
   const double celerity = shallow_water::celerity(g, dam.plateau().depth);
@@ -44,12 +45,11 @@ TEST_CASE("the flow at the dam turns critical at the critical ratio", "[exact]")
 }
 
 TEST_CASE("dam-break mass and momentum follow from the integral laws", "[exact]") {
-  Check check(
-      "exact_dam_break_integrals", "Dam break: integral laws and differential equations",
-      "Over a reservoir wide enough for no wave to reach its ends mass is constant and momentum grows by the "
-      "difference of the thrusts: $\\int h u\\,dx = t\\,g (h_1^2 - h_0^2)/2$. Inside the fan central differences of "
-      "fourth order measure the residual of both equations; their error is known in closed form.",
-      source);
+  Check check("exact_dam_break_integrals", "Dam break: integral laws and differential equations",
+              "Over a reservoir wide enough for no wave to reach its ends mass is constant and momentum grows by the "
+              "difference of the thrusts: $\\int h u\\,dx = t\\,g (h_1^2 - h_0^2)/2$. Inside the fan central "
+              "fourth-order differences measure the residual of both equations; their error is known in closed form.",
+              source);
   Worst mass, momentum;
   Largest residual;
   for (const double h0 : {0.0, 0.001, 0.1, 0.5, 0.99}) {

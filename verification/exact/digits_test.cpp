@@ -66,13 +66,12 @@ double computed(const exact::ExactSolution& solution, const std::string& paramet
 TEST_CASE("exact solutions have the digits that are known of them", "[exact]") {
   Check check(
       "exact_digits", "Digits of exact solutions",
-      "`reference_data/exact_digits.csv` has numbers of the solutions of the catalogue that were computed in "
-      "30-digit arithmetic: plateau and bore of dam breaks (depth 1 m), a bore at a wall, steady flow in its "
-      "regimes, bowls, a drop, dispersion laws, the series of a solitary wave and its Mach reflection, "
-      "wavemakers with their evanescent modes, run-up, standing waves, a wave known by its length, its period and "
-      "its height; the semi-axis of a stretched drop that "
-      "Monaghan (1994) prints; and fourteen digits of velocities inside solitary and Stokes waves, by an "
-      "earlier program of ours with two resolutions. Each must have all digits that are printed there.");
+      "`reference_data/exact_digits.csv` has numbers of the solutions of the catalogue that were computed in 30-digit "
+      "arithmetic: plateau and bore of dam breaks (depth 1 m), a bore at a wall, steady flow in its regimes, bowls, a "
+      "drop, dispersion laws, the series of a solitary wave and its Mach reflection, wavemakers with their evanescent "
+      "modes, run-up, standing waves, a wave known by its length, its period and its height; the semi-axis of a "
+      "stretched drop that Monaghan (1994) prints; and fourteen digits of velocities inside solitary and Stokes waves, "
+      "by an earlier implementation of ours at two resolutions. Each must have all digits that are printed there.");
   std::map<std::string, std::vector<Printed>> rows;
   for (const auto& row : rows_of("exact_digits.csv")) {
     INFO(fmt::format("{}", fmt::join(row, ",")));
@@ -84,7 +83,7 @@ TEST_CASE("exact solutions have the digits that are known of them", "[exact]") {
   }
 }
 
-TEST_CASE("exact solutions refuse what they cannot do, and say what is wrong", "[exact]") {
+TEST_CASE("exact solutions reject parameters outside their theory, with the reason", "[exact]") {
   for (const auto& row : rows_of("exact_refusals.csv")) {
     INFO(fmt::format("{}", fmt::join(row, ",")));
     REQUIRE(row.size() == 4);

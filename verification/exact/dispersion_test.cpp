@@ -55,13 +55,13 @@ void draw_laws(Check& check) {
   add("Green-Naghdi, Serre, Peregrine", RationalDispersion::green_naghdi(1, 1), Role::computed);
   add("Nwogu", RationalDispersion::nwogu(1, 1), Role::peer);
   add("Madsen-Sorensen", RationalDispersion::madsen_sorensen(1, 1), Role::peer);
-  add("tuned markers, h = 0.25", FrankDispersion::tuned(1, 1, 0.25, 0), Role::computed);
+  add("tuned nodes, h = 0.25", FrankDispersion::tuned(1, 1, 0.25, 0), Role::computed);
 }
 
 void draw_formula_13(Check& check) {
   auto& figure = check.figure("formula-13", "Formula (13) for several spacings",
                               "The discrete model follows Green-Naghdi to second order in the spacing $s$ and slows "
-                              "the waves that the markers barely resolve; the curves end at $k s = \\pi$.",
+                              "the waves that the nodes barely resolve; the curves end at $k s = \\pi$.",
                               {});
   auto& speed = figure.panel({.x = "k H", .y = "phase speed/sqrt(g H)", .title = "Phase speed", .y_min = 0});
   const auto k = evenly(0.02, 6, 300);
@@ -119,7 +119,7 @@ TEST_CASE("the laws of dispersion have the digits known, and their inverses", "[
 }
 
 TEST_CASE("the discrete dispersion law converges to Green-Naghdi and can be tuned to Airy", "[exact]") {
-  Check check("exact_frank_dispersion", "Dispersion of a chain of markers",
+  Check check("exact_frank_dispersion", "Dispersion of a chain of nodes",
               "Second order in the spacing against Green-Naghdi, with its leading "
               "term; the frequencies of the two time schemes; the pair $(\\alpha, \\gamma)$ that follows Airy's law "
               "through $(kH)^4$ at a given spacing and time step.");

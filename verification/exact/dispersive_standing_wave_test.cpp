@@ -165,7 +165,7 @@ TEST_CASE("the frequency of a standing wave of the dispersive model follows from
   check.from("Tadjbakhsh and Keller, J. Fluid Mech. 8 (1960) 442")
       .that("long-waves",
             "The change of frequency with amplitude agrees with Tadjbakhsh and Keller (1960) within 1e-4.",
-            "C over that of Tadjbakhsh and Keller at k H = 0.01", {correction(0.01, {}) / in_water(0.01)},
+            "C over the value of Tadjbakhsh and Keller at k H = 0.01", {correction(0.01, {}) / in_water(0.01)},
             Bound{1e-4, "relative rest of order (k H)^2 = 1e-4", 1});
   for (const Parameters& parameters : {Parameters{}, weighted(0), weighted(2)}) {
     const std::string id = parameters.gamma == 0 ? "plain" : parameters.weight_exponent == 0 ? "s0" : "s2";

@@ -10,7 +10,7 @@ using namespace seiche;
 using validation::DoubleShear;
 using namespace seiche::verification;
 
-TEST_CASE("the manufactured double shear keeps areas and obeys the forced equations of motion", "[exact]") {
+TEST_CASE("the manufactured double shear conserves areas and obeys the forced equations of motion", "[exact]") {
   Check check(
       "exact_double_shear", "Manufactured motion of a free square: two shears",
       "Areas, velocities and the equations of motion by finite differences of the values that the solution returns.");

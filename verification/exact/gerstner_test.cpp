@@ -65,7 +65,7 @@ void draw(Check& check) {
 TEST_CASE("Gerstner's wave satisfies the Euler equations", "[exact]") {
   Check check("exact_gerstner", "Gerstner's wave",
               "Residual of continuity, momentum and vorticity in space-fixed coordinates, through the inversion from "
-              "place to particle; area of patches of particles; zero pressure at the surface; inversion.",
+              "position to particle; area of patches of particles; zero pressure at the surface; inversion.",
               source);
   constexpr double gravity = 9.81;
   const GerstnerWave wave(3, gravity, -0.1);
@@ -135,7 +135,7 @@ TEST_CASE("Gerstner's wave satisfies the Euler equations", "[exact]") {
   }
   check.that("inversion", "The inversion from position to particle is exact to round-off.",
              "error of the label times its conditioning 1 - e^{k b0} [m]", {inversion.value()},
-             Roundoff{30, 5, "30 roundings of labels and places up to 5 m"});
+             Roundoff{30, 5, "30 roundings of labels and positions up to 5 m"});
   check.that("elevation", "The elevation passes through the particles of the surface.", "error of the elevation [m]",
              {surface.value()},
              Roundoff{30, 5 * 3.4, "30 roundings of x up to 5 m, times the steepest slope, 3.4 for b0 = -0.02 m"});

@@ -54,7 +54,7 @@ TEST_CASE("amplitudes of Mach and regular reflection have the digits known", "[e
   refine(check, {.axis = "width of the differences", .sizes = falling(0.2, 5), .title = {}, .floor = 1e-11},
          {{"two-solitons",
            "4/(1 + sqrt(1 - kappa^-2)) is the peak of the two-soliton solution.",
-           {4, 0.2, "fourth-order differences of an analytic function, nothing else"}}},
+           {4, 0.2, "fourth-order differences of an analytic function are the only error"}}},
          [](double span) {
            Worst worst;
            for (const double kappa : {1.01, 1.2, 2.0, 10.0}) {

@@ -107,7 +107,7 @@ void claim_labels(Check& check, const PlanManufactured& flow) {
   }
   check.that("labels", "The label found at a position is the label of the column that is there.",
              "largest deviation of a label [m]", {.value = worst.value(), .resolution = "25 by 25 columns, 8 times"},
-             Roundoff{20, length / 0.6, "places rounded ten times there and back, divided by J above 0.6"});
+             Roundoff{20, length / 0.6, "positions rounded ten times there and back, divided by J above 0.6"});
 }
 
 TEST_CASE("the manufactured motion in 2DH satisfies the forced Green-Naghdi equations", "[exact]") {

@@ -19,7 +19,7 @@ using namespace seiche::verification;
 
 const std::string source =
     "Baker, Meiron & Orszag, J. Fluid Mech. 123 (1982) 477; Longuet-Higgins & Cokelet, Proc. R. Soc. Lond. A 350 "
-    "(1976) 1; regression: numbers computed once by an earlier program, 512 and 1024 markers";
+    "(1976) 1; regression: values computed once with 512 and 1024 nodes";
 
 constexpr double period = 2 * std::numbers::pi;
 const OverturningWave::Parameters deep_water{.amplitude = 0.5};
@@ -46,20 +46,19 @@ void claim_conservation(Check& check, const OverturningWave& wave, double until,
   }
   const std::string reason = "errors of some 400 steps of tolerance 2e-11, which do not all add up";
   check.that("volume", "Volume is conserved " + when + ".", "change of volume", {volume.value()}, Bound{1e-11, reason});
-  check.that(
-      "energy", "Energy is conserved " + when + ".", "relative change", {energy.value()},
-      Bound{2 * 400 * std::pow(2e-11 / wave.extremes(0).highest, 1.2),
-            "some 400 steps whose errors of fourth order are kept at 2e-11, over the amplitude, twice as much of a "
-            "square; the solution of fifth order that is carried on errs less by a step, the fifth root of that"});
+  check.that("energy", "Energy is conserved " + when + ".", "relative change", {energy.value()},
+             Bound{2 * 400 * std::pow(2e-11 / wave.extremes(0).highest, 1.2),
+                   "some 400 steps whose fourth-order errors are kept at 2e-11, over the amplitude, twice as much of a "
+                   "square; the fifth-order solution that is carried on errs less by a step, the fifth root of that"});
   check.that("impulse", "Impulse is conserved " + when + ".", "relative change", {impulse.value()},
              Bound{1e-10, reason});
 }
 
-TEST_CASE("a steep wave over a bottom overturns, touches down and keeps what the motion keeps", "[exact][full]") {
+TEST_CASE("a steep wave over a bottom overturns, its jet lands, and its invariants are conserved", "[exact][full]") {
   Check check("exact_overturning_finite_depth", "Overturning wave over a flat bottom, until the jet meets the surface",
               "Depth and height 0.13 wavelengths; at $t = 0$ a cosine with the surface potential of the linear wave. "
-              "Volume, energy and impulse are conserved by the motion. A second number of "
-              "markers and a second tolerance tell the numerical error.",
+              "Volume, energy and impulse are conserved by the motion. A second number of nodes and a second tolerance "
+              "give the numerical error.",
               source);
   const OverturningWave wave(over_bottom);
   claim_conservation(check, wave, 0.48 * finite_period, "up to 0.48 periods");
@@ -67,11 +66,11 @@ TEST_CASE("a steep wave over a bottom overturns, touches down and keeps what the
   second.markers = 448;
   second.tolerance = 1e-11;
   const OverturningWave other(second);
-  const std::string both = " by 512 markers, tolerance 2e-11, less 448 markers, 1e-11";
+  const std::string both = " by 512 nodes, tolerance 2e-11, less 448 nodes, 1e-11";
   check.that("self-convergence", "The surface at 0.46 periods does not depend on resolution and tolerance.",
-             "Hausdorff distance of 512 markers, tolerance 2e-11, and 448 markers, 1e-11 [1/k]",
+             "Hausdorff distance of 512 nodes, tolerance 2e-11, and 448 nodes, 1e-11 [1/k]",
              {curve(wave.profile(0.46 * finite_period)).distance(curve(other.profile(0.46 * finite_period)))},
-             Bound{1e-8, "five times the distance between surfaces by 512 and 1024 markers, 2e-9"});
+             Bound{1e-8, "five times the distance between surfaces by 512 and 1024 nodes, 2e-9"});
   check.that("vertical-tangent", "The time of the first vertical tangent does not depend on resolution and tolerance.",
              "time" + both + " [1/sqrt(g k)]",
              {wave.vertical_tangent_time().value() - other.vertical_tangent_time().value()},
@@ -79,12 +78,12 @@ TEST_CASE("a steep wave over a bottom overturns, touches down and keeps what the
   check.that("touch-down", "The time of jet impact does not depend on resolution and tolerance.",
              "extrapolated time" + both + " [1/sqrt(g k)]",
              {wave.touch_down_time().value() - other.touch_down_time().value()},
-             Bound{0.0017, "the difference of that time between 512 and 1024 markers"});
+             Bound{0.0017, "the difference of that time between 512 and 1024 nodes"});
   self_test_holds(check, "finite-depth", wave);
   CHECK_THROWS_AS(wave.profile(0.6 * finite_period), Divergence);
 }
 
-TEST_CASE("a steep wave in deep water overturns, and keeps what the motion keeps", "[exact]") {
+TEST_CASE("a steep wave in deep water overturns and conserves its invariants", "[exact]") {
   Check check("exact_overturning_deep", "Overturning wave in deep water",
               "At $t = 0$ $\\eta = 0.5 \\cos x$ with surface potential $0.5 e^{\\eta} \\sin x$, whose kinetic energy "
               "is $\\frac{\\pi}{2} A^2 I_0(2A)$. The nose of the jet against an earlier computation "
@@ -96,7 +95,7 @@ TEST_CASE("a steep wave in deep water overturns, and keeps what the motion keeps
   check.from("(pi/2) A^2 I_0(2A): integral of the squared velocity of exp(y) sin x")
       .that("kinetic-energy", "The first integral equation gives the kinetic energy in closed form.",
             "kinetic energy at t = 0 [g/k^3]", {wave.integrals(0).kinetic_energy},
-            Roundoff{512, 0.5, "sum over 512 markers; the equation is solved to 1e-15", 0.497182907563303});
+            Roundoff{512, 0.5, "sum over 512 nodes; the equation is solved to 1e-15", 0.497182907563303});
   Worst nose_x, nose_y;
   for (const auto& [t, x, y] : {std::tuple{4.0, 5.74728, 0.53257}, {4.4, 6.44821, 0.40559}}) {
     const auto jet = wave.jet(t).value();
@@ -108,13 +107,13 @@ TEST_CASE("a steep wave in deep water overturns, and keeps what the motion keeps
   check.that("nose-ordinate", "The height of the jet's nose agrees with the reference at t = 4 and 4.4.",
              "largest difference [1/k]", {nose_y.value()},
              Bound{3.7e-4,
-                   "the reference gives the marker that is farthest ahead; its neighbours among 1024 are 7.4e-4 above "
+                   "the reference gives the node that is farthest ahead; its neighbours among 1024 are 7.4e-4 above "
                    "and below it at t = 4, and the surface is vertical there"});
   claim_conservation(check, wave, 4.2, "up to t = 4.2");
   self_test_holds(check, "deep", wave);
 }
 
-TEST_CASE("an overturning wave is even in its points, and refuses what it is not for", "[exact]") {
+TEST_CASE("an overturning wave is even in its points and rejects parameters outside its range", "[exact]") {
   const OverturningWave unit({.amplitude = 0.3, .depth = 1, .markers = 128, .last_time = 0.5});
   const auto arc = unit.profile(0.5, 101);
   CHECK(std::abs(arc.x.back() - arc.x.front() - period) < 1e-14);
@@ -136,8 +135,8 @@ TEST_CASE("an overturning wave is even in its points, and refuses what it is not
 
 TEST_CASE("a low group of waves comes to the focus of linear theory", "[exact]") {
   Check check("exact_focused_group", "Wave group that comes to a focus at a wall",
-              "What linear theory says inside the water satisfies its own equations, by differences. Computed surfaces "
-              "depart from it by the square of the height, from heights a hundredth and a fiftieth of the depth on.",
+              "Linear theory satisfies its own equations inside the water, by differences. Computed surfaces depart "
+              "from it by the square of the height, from H/h = 0.01 and 0.02 on.",
               "Baldock, Swan & Taylor, Phil. Trans. R. Soc. Lond. A 354 (1996) 649; linear theory");
   using exact::FocusedGroup;
   const FocusedGroup group(
@@ -168,7 +167,7 @@ TEST_CASE("a low group of waves comes to the focus of linear theory", "[exact]")
     return low.extremes(9).highest / amplitude - 1;
   };
   check.that("limit", "The crest at the focus departs from linear theory in proportion to the height.",
-             "excess of a crest of 0.02 depths over that of 0.01", {excess(0.02) / excess(0.01)},
+             "excess of a crest of H/h = 0.02 over one of 0.01", {excess(0.02) / excess(0.01)},
              Bound{0.1, "the next term is of the order of k a = 0.05", 2});
 }
 

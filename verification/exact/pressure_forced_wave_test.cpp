@@ -51,10 +51,10 @@ void claim_stokes_wave_stays(Check& check) {
   }
   check.that("stokes-wave", "The Stokes wave without pressure is unchanged after more than one period.",
              "largest difference from the Stokes wave [1/k]",
-             {.value = difference.value(), .resolution = "128 markers, tolerance 2e-11"},
+             {.value = difference.value(), .resolution = "128 nodes, tolerance 2e-11"},
              Bound{error_of_steps(500, last_frame),
-                   "no more than 500 steps whose errors of fourth order are kept at the tolerance, of fifth order at "
-                   "its power 1.2, and act for the whole time"});
+                   "no more than 500 steps whose fourth-order errors are kept at the tolerance, of fifth order at its "
+                   "power 1.2, and act for the whole time"});
 }
 
 /// Elevation that the pressure p0 raises on water at rest of depth pi, by linear theory, k = g = 1.
@@ -82,8 +82,8 @@ void claim_linear_theory(Check& check) {
   const Order second{.theory = 2,
                      .tolerance = 0.1,
                      .reason =
-                         "what linear theory leaves out is of second order in the amplitude; the third order is at "
-                         "most 3 per cent of it, 0.04 of the order at its largest"};
+                         "terms beyond linear theory are of second order in the amplitude; the third order is at most "
+                         "3 % of it, 0.04 of the order at its largest"};
   check.source(linear_theory);
   refine(check, {.axis = "p0", .sizes = falling(0.04, 4), .id = "linear", .title = {}},
          {{"linear-forced",
@@ -154,10 +154,10 @@ void claim_work(Check& check, const PressureForcedWave& wave) {
       "work",
       "The work of the pressure equals the quadrature of pressure times inward normal velocity over 20 profiles.",
       "difference from the work by quadrature of 20 profiles [rho g/k^3]",
-      {.value = wave.action(last_frame).work - work, .resolution = "256 markers, 20 Gauss points"},
+      {.value = wave.action(last_frame).work - work, .resolution = "256 nodes, 20 Gauss points"},
       Bound{200 * std::pow(tolerance, 1.2),
-            "the work is stepped with the surface: some 200 steps to t = pi whose errors of fourth order are kept at "
-            "the tolerance, of fifth order at its power 1.2"});
+            "the work is stepped with the surface: some 200 steps to t = pi whose fourth-order errors are kept at the "
+            "tolerance, of fifth order at its power 1.2"});
 }
 
 void claim_balance(Check& check, const PressureForcedWave& wave) {
@@ -173,8 +173,8 @@ void claim_balance(Check& check, const PressureForcedWave& wave) {
   }
   const double limit = 400 * std::pow(tolerance / 0.3, 1.2);
   const std::string reason =
-      "some 400 steps whose errors of fourth order are kept at 2e-11, over the amplitude; the solution of fifth order "
-      "that is carried on errs less by a step, the fifth root of that";
+      "some 400 steps whose fourth-order errors are kept at 2e-11, over the amplitude; the fifth-order solution that "
+      "is carried on errs less by a step, the fifth root of that";
   check.that("energy", "The energy at 37 times changes by the work of the pressure, up to the jet.",
              "largest |E(t) - E(0) - W(t)| at 37 times [rho g/k^3]", {energy.value()},
              Bound{2 * limit, reason + "; twice as much of a square"});
@@ -196,7 +196,7 @@ void claim_convergence(Check& check, const PressureForcedWave& wave) {
   };
   constexpr std::array coarser{Resolution{128, 1e-8}, Resolution{192, 1e-9}};
   evidence::Table table{.id = "convergence",
-                        .title = "Distance of the surface from that of 256 markers and tolerance 2e-11",
+                        .title = "Distance of the surface from the surface with 256 nodes and tolerance 2e-11",
                         .caption = "Hausdorff distances; the time of the first vertical tangent.",
                         .columns = {{"markers", "1"},
                                     {"tolerance", "1/k"},
@@ -217,29 +217,27 @@ void claim_convergence(Check& check, const PressureForcedWave& wave) {
   }
   const double tangent = tangent_of(wave);
   check.table(table);
-  const std::string use =
-      "a ten-thousandth of half a cell of the finest lattice of particles that is judged by this surface";
+  const std::string use = "1e-4 of half a cell of the finest particle arrangement compared with this surface";
   check.that("self-convergence",
-             "The surface with a jet at the last frame is the same with 256 and with 192 markers within 4e-6.",
-             "Hausdorff distance of 256 markers, tolerance 2e-11, and 192, 1e-9 [1/k]", {distances[1]},
-             Bound{4e-6, use});
+             "The surface with a jet at the last frame is the same with 256 and with 192 nodes within 4e-6.",
+             "Hausdorff distance of 256 nodes, tolerance 2e-11, and 192, 1e-9 [1/k]", {distances[1]}, Bound{4e-6, use});
   check.that(
       "convergence",
       "The surface converges at least as its tolerance, which is 10 times smaller from resolution to resolution.",
       "distance from the third resolution at 7.4, second over first resolution", {distances[1] / distances[0]},
       Bound{0.2,
-            "a tolerance ten times smaller lets errors of fifth order be ten times smaller; steps are at most "
-            "cut in five, which shifts them by less than two"});
+            "a tolerance ten times smaller lets fifth-order errors be ten times smaller; steps are at most cut in "
+            "five, which shifts them by less than two"});
   check.that("vertical-tangent",
-             "The time at which the front is first vertical is the same with 256 and with 192 markers within 4e-6.",
-             "time by 192 markers, tolerance 1e-9, less that by 256, 2e-11 [1/sqrt(g k)]", {tangents[1] - tangent},
+             "The time at which the front is first vertical is the same with 256 and with 192 nodes within 4e-6.",
+             "time by 192 nodes, tolerance 1e-9, minus the time by 256, 2e-11 [1/sqrt(g k)]", {tangents[1] - tangent},
              Bound{4e-6, use + ", which the crest travels in that time"});
 }
 
 TEST_CASE("a pressure moves water as linear theory says and without one the Stokes wave stays itself", "[exact]") {
   Check check("exact_pressure_response", "Water at rest and a Stokes wave under a small pressure, or none",
-              "Water at rest under $p_s = -p_0 \\sin t \\sin(x - t)$, $0 \\le t \\le \\pi$, must answer as linear "
-              "theory says, up to what is of second order in $p_0$: the error is measured for four amplitudes. Without "
+              "Water at rest under $p_s = -p_0 \\sin t \\sin(x - t)$, $0 \\le t \\le \\pi$, must respond as in linear "
+              "theory, up to terms of second order in $p_0$: the error is measured for four amplitudes. Without "
               "pressure a Stokes wave of height 0.6 must travel unchanged.",
               source);
   claim_stokes_wave_stays(check);
@@ -252,11 +250,11 @@ TEST_CASE("the surface under a pressure converges with the order of the step", "
   claim_order_in_time(check);
 }
 
-TEST_CASE("a Stokes wave pushed by a pressure keeps its balances and converges up to the jet", "[exact]") {
+TEST_CASE("a Stokes wave pushed by a pressure satisfies its balances and converges up to the jet", "[exact]") {
   Check check("exact_pressure_forced_wave", "Stokes wave pushed by a surface pressure until it overturns",
               "A Stokes wave of height 0.6, $L = 2\\pi$, depth $\\pi$ is pushed by $p_s = -p_0 \\sin t \\sin(x - t)$, "
               "$0 \\le t \\le \\pi$. Energy and impulse must change by the pressure's work and thrust. Three "
-              "resolutions tell the numerical error of surface and time of the vertical tangent. $p_0 = 0.1$ is a fit "
+              "resolutions give the numerical error of surface and time of the vertical tangent. $p_0 = 0.1$ is a fit "
               "to the times of Frank's figure 10, not his number.",
               source);
   const PressureForcedWave wave({});
@@ -267,7 +265,7 @@ TEST_CASE("a Stokes wave pushed by a pressure keeps its balances and converges u
   self_test_holds(check, "quickened", PressureForcedWave({.pressure = 0, .velocity_factor = 1.5, .last_time = 3}));
 }
 
-TEST_CASE("a wave pushed by a pressure refuses what it is not for", "[exact]") {
+TEST_CASE("a wave pushed by a pressure rejects parameters outside its range", "[exact]") {
   const PressureForcedWave unit({.markers = 64, .last_time = 3.5});
   CHECK(unit.pressure(1, 3.2) == 0);
   CHECK(unit.pressure(1, 1) == 0);

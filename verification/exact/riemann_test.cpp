@@ -106,7 +106,7 @@ TEST_CASE("colliding bores meet and pass", "[exact]") {
     const double inflow = bores.left().depth * bores.left().velocity - bores.right().depth * bores.right().velocity;
     defect.add(100 * mean.depth - (60 + 40 + 45) - t * inflow);
   }
-  check.that("mass", "Mass grows by what the ends let in, before and after the collision.", "mass error [m^2]",
+  check.that("mass", "Mass grows by the inflow through the ends, before and after the collision.", "mass error [m^2]",
              {defect.value()}, Roundoff{100, 200, "sums of 50 points up to 200 m^2"});
 }
 

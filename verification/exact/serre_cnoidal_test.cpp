@@ -108,7 +108,7 @@ TEST_CASE("cnoidal waves satisfy Serre's equations, between linear and solitary 
   const double decay = std::sqrt(0.75 * 0.3 / (1.3 + trough)) / (1 + trough);
   check.that("long", "Long waves are trains of Serre's solitary waves.",
              "largest difference of the elevations over the height",
-             {.value = apart.value() / 0.3, .resolution = "wavelength 30 depths"},
+             {.value = apart.value() / 0.3, .resolution = "wavelength 30 h"},
              Bound{16 * std::exp(-decay * 30),
                    "halfway to the next crest sech^2 is 4 exp(-kappa L) of each neighbour, by which the trough is not "
                    "still water: twice, for shape and depth"});

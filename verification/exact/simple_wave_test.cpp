@@ -16,8 +16,8 @@ TEST_CASE("the simple wave satisfies the equations until it breaks", "[exact]") 
   const std::string source = "Stoker, Water Waves (1957), section 10.3";
   Check check("exact_simple_wave", "Simple wave",
               "Residual of both equations by fourth-order differences with halving steps: it must fall with order 4, "
-              "which no wrong solution does. Mass and momentum of the wave are constant, and the breaking time is that "
-              "of the steepest fall of the celerity.",
+              "which no wrong solution does. Mass and momentum of the wave are constant, and the breaking time follows "
+              "from the steepest fall of the celerity.",
               source);
   constexpr double g = 9.81;
   const auto wave = exact::SimpleWave::hump(g, 1, 0.2, 6, 6);

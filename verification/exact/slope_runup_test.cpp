@@ -73,18 +73,18 @@ double error_of_velocity(std::size_t intervals, double cotangent) {
   return error.value() / largest.value();
 }
 
-TEST_CASE("velocities of water over a slope are those of a potential with poles outside of it", "[exact]") {
+TEST_CASE("velocities of water over a slope agree with a potential with poles outside of it", "[exact]") {
   Check check("exact_slope_velocity", "Velocities of water that ends on a slope",
               "Cauchy's integral in a plane where bottom and slope are one straight line. The velocities at a curved "
-              "surface are compared with those of a potential with poles above the water, mirrored in the line.");
+              "surface are compared with a potential with poles above the water, mirrored in the line.");
   for (const double cotangent : {0.0, 1.0, 3.0}) {
     const double coarse = error_of_velocity(140, cotangent);
     const double fine = error_of_velocity(280, cotangent);
     check.holds(
         fmt::format("velocity-{:g}", cotangent) + ": The surface velocities agree with the potential.", {fine},
-        Bound{1e-6, "two nodes to the distance of the poles, whose sixth order multiplies what the nodes miss"});
+        Bound{1e-6, "two nodes to the distance of the poles, whose sixth power multiplies the error of the nodes"});
     check.holds(fmt::format("faster-{:g}", cotangent) +
-                    ": Twice the nodes leave far less than any power of the spacing that other methods have.",
+                    ": The error falls faster than any power of the spacing with twice the nodes.",
                 {fine / coarse}, Bound{1.0 / 256, "order eight; Chebyshev nodes have no order"});
   }
 }
@@ -98,8 +98,8 @@ const std::string source =
 Check runup_check() {
   return {"exact_slope_runup", "Run-up of solitary waves on slopes",
           "A solitary wave of the Euler equations is moved by Cauchy's integral in a plane where bottom and slope are "
-          "one straight line. The run-up on a vertical wall is compared with that of the head-on collision of two "
-          "waves, another method; on slopes with values of finer computations.",
+          "one straight line. The run-up on a vertical wall is compared with the head-on collision of two waves, "
+          "another method; on slopes with values of finer computations.",
           source};
 }
 
@@ -109,10 +109,9 @@ SlopeRunup judged(Check& check, const io::Table& table, std::size_t row) {
   const double cotangent = table.column("cot_slope")[row];
   SlopeRunup slope(a, cotangent, 1, 160);
   check.holds(
-      fmt::format("The run-up of a wave of H/h = {} on a slope of cotangent {:g} agrees with the reference.", a,
-                  cotangent),
+      fmt::format("The run-up of a wave of H/h = {} on a slope 1:{:g} agrees with the reference.", a, cotangent),
       {slope.runup()},
-      Bound{5e-5 * a, "half a unit of the fourth decimal of the amplitude: the fewest markers that are accepted",
+      Bound{5e-5 * a, "half a unit of the fourth decimal of the amplitude: the fewest nodes that are accepted",
             table.column("R")[row]});
   if (a == 0.29) self_test_holds(check, fmt::format("slope-{:g}", cotangent), slope);
   return slope;
@@ -120,7 +119,7 @@ SlopeRunup judged(Check& check, const io::Table& table, std::size_t row) {
 
 }  // namespace
 
-TEST_CASE("a solitary wave runs up a slope as high as the reference says", "[exact]") {
+TEST_CASE("the run-up of a solitary wave on a slope agrees with the reference", "[exact]") {
   Check check = runup_check();
   const auto table = validation::reference_table("slope_runup_exact", check.record().reference_data);
   const SlopeRunup slope = judged(check, table, 2);
@@ -130,17 +129,17 @@ TEST_CASE("a solitary wave runs up a slope as high as the reference says", "[exa
   CHECK_THROWS_AS(slope.level(slope.runup_time() + 1), std::out_of_range);
 }
 
-TEST_CASE("solitary waves run up walls and slopes as high as the references say", "[exact][full]") {
+TEST_CASE("the run-up of solitary waves on walls and slopes agrees with the references", "[exact][full]") {
   Check check = runup_check();
   const SlopeRunup wall(0.3, 0);
-  check.that("wall", "A slope that is a wall is climbed as by two waves that collide.",
-             "run-up of a wave of 0.3 depths [depth]",
+  check.that("wall", "The run-up on a vertical slope agrees with the collision of two waves.",
+             "run-up of a wave of H/h = 0.3 [depth]",
              {.value = wall.runup(), .uncertainty = wall.uncertainty() * wall.runup()},
              evidence::Uncertainty{.expected = exact::WallRunup(0.3, 1, 256).runup(),
                                    .data = 1e-9,
                                    .useful = 1e-5,
-                                   .reason = "of the collision, 256 markers; our own from fewer markers and longer "
-                                             "steps, of use up to a unit of the fifth decimal"});
+                                   .reason = "of the collision, 256 nodes; our own from fewer nodes and longer steps, "
+                                             "of use up to a unit of the fifth decimal"});
   self_test_holds(check, "wall", wall);
   const auto table = validation::reference_table("slope_runup_exact", check.record().reference_data);
   for (std::size_t row = 0; row < table.rows(); ++row) {

@@ -75,7 +75,7 @@ TEST_CASE("the series for the solitary wave have the speeds and identities known
   for (double x = -15; x < 15; x += 0.7) inverse.add(wave.place_of(wave.depth() * x + wave.excess_up_to(x)) - x);
   check.from(serre_source)
       .that("particles", "The position of a given volume is the inverse of the volume up to a position.",
-            "error of the place [m]", {inverse.value()}, Roundoff{15, 17, "15 roundings of lengths up to 17 m"});
+            "error of the position [m]", {inverse.value()}, Roundoff{15, 17, "15 roundings of lengths up to 17 m"});
   self_test_holds(check, "boussinesq", AsymptoticSolitary(Theory::boussinesq, 0.3, 2, 9.81));
   self_test_holds(check, "serre", wave);
   self_test_holds(check, "laitone", AsymptoticSolitary(Theory::laitone, 0.3, 2, 9.81));
@@ -84,7 +84,7 @@ TEST_CASE("the series for the solitary wave have the speeds and identities known
   CHECK_NOTHROW(SerreSolitary(3));
 }
 
-TEST_CASE("the series leave the exact solitary wave with their orders in amplitude", "[exact]") {
+TEST_CASE("the series depart from the exact solitary wave at their orders in amplitude", "[exact]") {
   Check check(
       "exact_solitary_orders", "Order of the series for the solitary wave",
       "Profile and speed against the wave of the full Euler equations at amplitudes from 0.05 to 0.2 of the depth: the "

@@ -49,14 +49,13 @@ double breaking_amplitude(double cotangent) {
   return 0.5 * (low + high);
 }
 
-TEST_CASE("solitary waves run up a plane beach as Synolakis' integral says", "[exact]") {
-  Check check(
-      "exact_solitary_runup", "Run-up of solitary waves on a plane beach",
-      "The integral by an adaptive "
-      "rule; the nonlinear shoreline's kinematics; the exact limit of breaking at the shoreline against Synolakis' "
-      "criterion; the published analytic profiles. The law is the leading term: 2.5 % low even for the published wave, "
-      "26 % low at 45 degrees. A solver of the shallow-water equations is to be judged by the integral.",
-      source);
+TEST_CASE("the run-up of solitary waves on a plane beach follows Synolakis' integral", "[exact]") {
+  Check check("exact_solitary_runup", "Run-up of solitary waves on a plane beach",
+              "The integral by an adaptive rule; the nonlinear shoreline's kinematics; the exact limit of breaking at "
+              "the shoreline against Synolakis' criterion; the published analytic profiles. The law is the leading "
+              "term: 2.5 % low even for the published wave, 26 % low at 45 degrees. A solver of the shallow-water "
+              "equations should be compared with the integral.",
+              source);
   Largest adaptive;
   for (const auto& [amplitude, cotangent] : std::vector<std::pair<double, double>>{
            {0.019, 19.85}, {0.0185, 19.85}, {0.05, 10}, {0.03, 10}, {0.1, 3.732}, {0.05, 2.747}, {0.1, 1}}) {
@@ -108,7 +107,7 @@ TEST_CASE("Synolakis' breaking criterion is the limit of flat beaches", "[exact]
                          "the criterion is the leading term for large cot beta"});
 }
 
-TEST_CASE("the published analytic profiles end where our shoreline is", "[exact]") {
+TEST_CASE("the published analytic profiles end at the computed shoreline", "[exact]") {
   Check check("exact_solitary_profiles", "Analytic profiles of Synolakis' solution",
               "a/d = 0.019 on 1:19.85. The first wet point of each published profile brackets the shoreline within "
               "their spacing of 0.1 d along the beach, 0.005 d in elevation.",
@@ -164,15 +163,15 @@ TEST_CASE("Hall and Watts' correlation and Frank's run-up table", "[exact]") {
       "largest relative difference", {.value = others.value(), .uncertainty = 0},  // a formula, evaluated to round-off
       evidence::Uncertainty{
           .data = HallWatts::scatter(), .useful = 0.15, .reason = "scatter of run-up measurements, 5 % (assumed)"});
-  const Bound limit{.limit = 0.03, .reason = "what an interpolation of their plotted measurements can give"};
+  const Bound limit{.limit = 0.03, .reason = "the accuracy of an interpolation of their plotted measurements"};
   check.known_failure("frank-hall-watts-close",
                       "Frank's interpolations of the measured run-up follow the correlation to 3 %.",
                       "largest relative difference", {others.value()}, limit,
                       {.value = 0.05543,
                        .width = 5e-5,
                        .reason = "four of 17 entries differ by 3.3 to 5.5 %: three of the four at cot 1 and one at cot "
-                                 "2.747, the others by less than 3 %; the interpolation is not that of the "
-                                 "correlation, a formula as exact as the digits of this band"});
+                                 "2.747, the others by less than 3 %; the interpolation differs from the correlation, "
+                                 "a formula as exact as the digits of this band"});
   check.known_failure("frank-hall-watts-173", "Frank's entry for cot 3.732, a = 0.05 follows the correlation to 3 %.",
                       "relative difference", {suspicious.value()}, limit,
                       {.value = 0.27,

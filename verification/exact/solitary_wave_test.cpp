@@ -23,7 +23,7 @@ using validation::each;
 constexpr double degree = std::numbers::pi / 180;
 const std::string source =
     "Longuet-Higgins & Fenton, Proc. R. Soc. A 340 (1974) 471; Hunter & Vanden-Broeck, J. Fluid Mech. 136 (1983) 63; "
-    "regression: digits computed once by an earlier program, two resolutions";
+    "regression: digits computed once at two resolutions";
 
 /// Distance from the printed value over what printing and the reference's own uncertainty allow.
 double excess(double value, double printed, int decimals, double relative) {

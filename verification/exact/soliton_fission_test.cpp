@@ -13,9 +13,9 @@ using seiche::exact::SolitonFission;
 TEST_CASE("a solitary wave falls apart into whole numbers of waves at the depths that are known", "[exact]") {
   const std::string johnson = "Johnson, Proc. Camb. Phil. Soc. 73 (1973) 183";
   Check check("soliton_fission", "Solitary waves behind a change of depth",
-              "On a gentle slope exactly n waves and nothing else arrive where h^(-9/4) = n (n + 1)/2: at the depths "
-              "0.614 and 0.451 for n = 2 and 3, which Johnson gives. There the waves' squared rates of decay are whole "
-              "numbers. Without a change of depth the wave stays what it is.",
+              "On a gentle slope exactly n waves and no other motion arrive where h^(-9/4) = n (n + 1)/2: at the "
+              "depths 0.614 and 0.451 for n = 2 and 3, which Johnson gives. There the waves' squared rates of decay "
+              "are whole numbers. Without a change of depth the wave is unchanged.",
               johnson);
   for (const auto& [n, depth] : {std::pair{2, 0.614}, {3, 0.451}}) {
     const std::string id = std::to_string(n);

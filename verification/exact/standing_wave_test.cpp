@@ -68,7 +68,7 @@ void draw(Check& check) {
   auto& figure = check.figure(
       "frequency", "Frequency of a standing wave against depth",
       "Amplitude raises the frequency in shallow water and lowers it in deep water; the sign changes at $kh = 1.0581$, "
-      "a wavelength of 5.938 depths. Points: frequencies of the full equations, extrapolated to zero amplitude.");
+      "a wavelength of 5.938 h. Points: frequencies of the full equations, extrapolated to zero amplitude.");
   auto& panel =
       figure.panel({.x = "k h", .y = "omega_2", .title = "omega = w + e^2 omega_2/2", .y_min = -0.4, .y_max = 1});
   const std::vector<double> depths = evenly(0.5, 3.5, 241);
@@ -82,7 +82,7 @@ void draw(Check& check) {
 }
 
 TEST_CASE("the standing wave of Tadjbakhsh and Keller has the digits and frequencies known", "[exact]") {
-  Check check("exact_standing_wave", "Standing wave of second order",
+  Check check("exact_standing_wave", "Second-order standing wave",
               "Residual of the two conditions at the free surface, evaluated at the displaced surface: third order in "
               "the steepness. "
               "Frequencies of the full nonlinear equations (time-periodic solutions found by shooting with 32 surface "

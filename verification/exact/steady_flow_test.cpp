@@ -16,7 +16,7 @@ using namespace seiche::verification;
 constexpr double g = 9.81;
 const std::string source = "Delestre et al., SWASHES, Int. J. Numer. Meth. Fluids 72 (2013) 269; 30-digit arithmetic";
 
-TEST_CASE("steady flow over a bump keeps its head and its momentum", "[exact]") {
+TEST_CASE("steady flow over a bump conserves its head and satisfies the momentum balance", "[exact]") {
   Check check("exact_steady_bump", "Steady flow over a bump",
               "The constancy of Bernoulli's head on "
               "either side of the jump, and momentum through the jump.",
@@ -54,7 +54,7 @@ TEST_CASE("steady flow over a bump keeps its head and its momentum", "[exact]") 
   verification::claim_bed_primitive(check, "bed", jump.bed(), 0, 25, 0.2);
 }
 
-TEST_CASE("the MacDonald channel carries its depth", "[exact]") {
+TEST_CASE("the MacDonald channel has its prescribed depth", "[exact]") {
   Check check(
       "exact_macdonald", "MacDonald channel with friction",
       "Residual of the steady momentum equation, from fourth-order differences of the bed computed by quadrature.",

@@ -23,8 +23,7 @@ using exact::StokesWave;
 
 constexpr double wavelength = 2 * std::numbers::pi;
 const std::string source =
-    "Cokelet, Phil. Trans. R. Soc. A 286 (1977) 183; regression: digits computed once by an earlier program, two "
-    "resolutions";
+    "Cokelet, Phil. Trans. R. Soc. A 286 (1977) 183; regression: digits computed once at two resolutions";
 
 struct Column {
   std::string id, quantity;
@@ -141,7 +140,7 @@ TEST_CASE("a gentle Stokes wave has the speed of Stokes's series", "[exact]") {
 
 TEST_CASE("high Stokes waves in shallow water satisfy their identities", "[exact]") {
   Check check("exact_stokes_wave_shallow", "High Stokes waves in shallow water",
-              "Crests as sharp as the water is shallow, k d = 0.2, up to three per cent below the limiting height.");
+              "Crests as sharp as the water is shallow, k d = 0.2, up to 3 % below the limiting height.");
   for (const double amplitude : {0.2, 0.3, 0.35, 0.36}) {
     self_test_holds(check, fmt::format("a = {:g}", amplitude), StokesWave(amplitude, 5 * wavelength, 1, 1));
   }

@@ -52,10 +52,10 @@ TEST_CASE("water oscillates in a parabolic bowl at any amplitude", "[exact]") {
              Roundoff{60, 1, "sum of 20 weighted points up to 2/3"});
   CHECK(std::abs(published.at(published.left_shoreline(0.3) + 1e-9, 0.3).depth) < 2e-9);
   CHECK(published.at(published.left_shoreline(0.3) - 1e-9, 0.3).depth == 0);
-  check.that("path", "A particle moves as the water does.",
-             "place of a particle less its start and the shift of the water [m]",
+  check.that("path", "A particle moves with the water.",
+             "position of a particle less its start and the shift of the water [m]",
              {published.carried(1.2, 0.7) - (1.2 + published.shift(0.7) - published.shift(0))},
-             Roundoff{10, 2, "ten roundings of places up to 2 m"});
+             Roundoff{10, 2, "ten roundings of positions up to 2 m"});
   verification::claim_bed_primitive(check, "bed", published.bed(), 0, 4, 1.5);
 }
 

@@ -34,18 +34,17 @@ void claim_tabled(Check& check, const io::Table& table, const WallLoad& load, st
   const WallLoad coarser(a, 1, markers / 4 * 3, 1e-10);
   for (const Quantity& quantity : quantities) {
     const double value = (load.*quantity.largest)().value;
-    check.that(
-        fmt::format("{}-{:.0f}", quantity.id, 100 * a),
-        fmt::format("The largest {} of a wave of H/h = {} agrees with the reference.", quantity.name, a),
-        fmt::format("{}, a = {}", quantity.name, a) + " [" + quantity.unit + "]",
-        {.value = value,
-         .uncertainty = std::abs((coarser.*quantity.largest)().value - value),
-         .resolution = fmt::format("{} markers, tolerance 1e-11", markers)},
-        evidence::Uncertainty{.expected = table.column(quantity.column)[row],
-                              .data = table.column("u")[row],
-                              .useful = 1e-8,
-                              .reason = "column u of the reference: markers, steps in time, length of the channel; our "
-                                        "own from three quarters of the markers and a tolerance of 1e-10"});
+    check.that(fmt::format("{}-{:.0f}", quantity.id, 100 * a),
+               fmt::format("The largest {} of a wave of H/h = {} agrees with the reference.", quantity.name, a),
+               fmt::format("{}, a = {}", quantity.name, a) + " [" + quantity.unit + "]",
+               {.value = value,
+                .uncertainty = std::abs((coarser.*quantity.largest)().value - value),
+                .resolution = fmt::format("{} nodes, tolerance 1e-11", markers)},
+               evidence::Uncertainty{.expected = table.column(quantity.column)[row],
+                                     .data = table.column("u")[row],
+                                     .useful = 1e-8,
+                                     .reason = "column u of the reference: nodes, time steps, length of the channel; "
+                                               "our own from three quarters of the nodes and a tolerance of 1e-10"});
   }
 }
 
@@ -56,7 +55,7 @@ void claim_series(Check& check) {
   const auto order = [](double half, double whole) { return std::log2(std::abs(whole / half)); };
   const auto third = [&](const std::string& name, double half, double whole) {
     check.holds(fmt::format("The {} converges to its second-order series for small waves.", name), {order(half, whole)},
-                Bound{0.3, "the next term, with a coefficient up to four times that of the third: 4 x 0.05/ln 2", 3});
+                Bound{0.3, "the next term, with a coefficient up to four times the third's: 4 x 0.05/ln 2", 3});
   };
   // Over the depth 1 and its square.
   const auto bottom = [](double a) { return 1 + 2 * a - a * a; };
@@ -64,22 +63,23 @@ void claim_series(Check& check) {
   third("pressure at the foot", small.largest_bottom().value - bottom(0.05),
         twice.largest_bottom().value - bottom(0.1));
   third("force", small.largest_force().value - force(0.05), twice.largest_force().value - force(0.1));
-  check.that(
-      "series-still", "The pressure at the still-water level converges to its third-order series for small waves.",
-      "largest pressure of a wave of 0.05 depths [rho g depth]", {small.largest_still().value},
-      Bound{5.25 * std::pow(0.05, 4), "a fourth-order term with a coefficient no larger than that of third order, 21/4",
-            WallLoad::still_series(0.05)});
+  check.that("series-still",
+             "The pressure at the still-water level converges to its third-order series for small waves.",
+             "maximum pressure of a wave of H/h = 0.05 [rho g depth]", {small.largest_still().value},
+             Bound{5.25 * std::pow(0.05, 4),
+                   "a fourth-order term with a coefficient no larger than the third-order coefficient, 21/4",
+                   WallLoad::still_series(0.05)});
 }
 
 Check load_check() {
   return {"exact_wall_load", "Pressure and force of solitary waves on a vertical wall",
           "Two mirrored solitary waves of the Euler equations collide head-on; the pressure along the wall follows "
-          "from Bernoulli's equation. The largest loads are compared with values of finer computations; the force with "
-          "the change of momentum, the pressure at the foot with that of the potential; small waves with series.",
+          "from Bernoulli's equation. The maximum loads are compared with values of finer computations; the force with "
+          "the change of momentum, the pressure at the foot with the change of the potential; small waves with series.",
           source};
 }
 
-TEST_CASE("solitary waves load a vertical wall as the reference says", "[exact]") {
+TEST_CASE("the load of solitary waves on a vertical wall agrees with the reference", "[exact]") {
   Check check = load_check();
   const auto table = validation::reference_table("wall_load_exact", check.record().reference_data);
   claim_tabled(check, table, WallLoad(0.1, 1, 192), 192);
@@ -89,13 +89,13 @@ TEST_CASE("solitary waves load a vertical wall as the reference says", "[exact]"
   claim_series(check);
 }
 
-TEST_CASE("so do waves of 0.3 depths", "[exact][full]") {
+TEST_CASE("the load of waves of H/h = 0.3 on a vertical wall agrees with the reference", "[exact][full]") {
   Check check = load_check();
   claim_tabled(check, validation::reference_table("wall_load_exact", check.record().reference_data),
                WallLoad(0.3, 1, 256), 256);
 }
 
-TEST_CASE("loads scale with the depth, and what the method cannot do is refused", "[exact]") {
+TEST_CASE("loads scale with the depth, and waves beyond the method are rejected", "[exact]") {
   const WallLoad one(0.1, 1, 128);
   const WallLoad two(0.2, 2, 128);
   CHECK(std::abs(two.largest_bottom().value - 2 * one.largest_bottom().value) < 1e-11);

@@ -21,9 +21,9 @@ const std::string source =
 Check runup_check() {
   return {"exact_wall_runup", "Run-up of solitary waves on a vertical wall",
           "Two mirrored solitary waves of the Euler equations collide head-on. The run-up is compared with values of "
-          "finer computations, whose uncertainty comes from markers, steps in time and the length of the channel, and "
-          "with an independent implementation; the series of Su & Mirie and of Byatt-Smith leave it by one per cent at "
-          "0.5 and 0.2 depths. A second number of markers and a second tolerance tell the numerical error.",
+          "finer computations, whose uncertainty comes from nodes, time steps and the length of the channel, and with "
+          "an independent implementation; the series of Su & Mirie and of Byatt-Smith depart from it by 1 % at H/h = "
+          "0.5 and 0.2. A second number of nodes and a second tolerance give the numerical error.",
           source};
 }
 
@@ -37,23 +37,22 @@ WallRunup judged(Check& check, const io::Table& table, std::size_t row) {
   const std::size_t fewer = steep ? 256 : 192;
   const WallRunup runup(a, 1, markers);
   const double coarser = WallRunup(a, 1, fewer, 1e-10).runup();
-  check.that(
-      fmt::format("runup-{:.0f}", 100 * a),
-      fmt::format("The run-up of a wave of H/h = {} on a vertical wall agrees with the reference.", a),
-      fmt::format("run-up, a = {}", a) + " [depth]",
-      {.value = runup.runup(),
-       .uncertainty = std::abs(coarser - runup.runup()),
-       .resolution = fmt::format("{} markers, tolerance 1e-11", markers)},
-      evidence::Uncertainty{.expected = expected,
-                            .data = table.column("u")[row],
-                            .useful = jet ? 2e-7 : 1e-8,
-                            .reason = fmt::format("column u of the reference: markers, steps in time, length of the "
-                                                  "channel; our own from {} markers and a tolerance of 1e-10",
-                                                  fewer)});
+  check.that(fmt::format("runup-{:.0f}", 100 * a),
+             fmt::format("The run-up of a wave of H/h = {} on a vertical wall agrees with the reference.", a),
+             fmt::format("run-up, a = {}", a) + " [depth]",
+             {.value = runup.runup(),
+              .uncertainty = std::abs(coarser - runup.runup()),
+              .resolution = fmt::format("{} nodes, tolerance 1e-11", markers)},
+             evidence::Uncertainty{.expected = expected,
+                                   .data = table.column("u")[row],
+                                   .useful = jet ? 2e-7 : 1e-8,
+                                   .reason = fmt::format("column u of the reference: nodes, time steps, length of the "
+                                                         "channel; our own from {} nodes and a tolerance of 1e-10",
+                                                         fewer)});
   return runup;
 }
 
-TEST_CASE("solitary waves run up a vertical wall as high as the reference says", "[exact]") {
+TEST_CASE("the run-up of solitary waves on a vertical wall agrees with the reference", "[exact]") {
   Check check = runup_check();
   const auto table = validation::reference_table("wall_runup_exact", check.record().reference_data);
   Worst earlier;
@@ -64,22 +63,23 @@ TEST_CASE("solitary waves run up a vertical wall as high as the reference says",
     if (std::abs(a - 0.3) < 1e-9) self_test_holds(check, "third", runup);
   }
   check.that("independent",
-             "The run-up agrees with a spectral Cauchy-integral method of 256 and 384 markers within its uncertainty.",
+             "The run-up agrees with a spectral Cauchy-integral method of 256 and 384 nodes within its uncertainty.",
              "largest difference over its uncertainty",
              {.value = earlier.value(), .where = fmt::format("a = {:g}", earlier.where())},
              Bound{1,
-                   "column u_earlier of the reference: its two numbers of markers, and 2e-9 for its steps in time, "
-                   "what a tolerance of 1e-9 leaves"});
+                   "column u_earlier of the reference: its two numbers of nodes, and 2e-9 for its time steps, the "
+                   "remainder of a tolerance of 1e-9"});
   const WallRunup small(0.05, 1, 192);
-  check.that(
-      "series", "The run-up converges to its third-order series for small waves.",
-      "run-up of a wave of 0.05 depths less the series [depth]", {small.runup()},
-      Bound{3 * std::pow(0.05, 4), "a fourth-order term with a coefficient no larger than that of the series times 4",
-            WallRunup::su_mirie(0.05)});
+  check.that("series", "The run-up converges to its third-order series for small waves.",
+             "run-up of a wave of H/h = 0.05 minus the series [depth]", {small.runup()},
+             Bound{3 * std::pow(0.05, 4),
+                   "a fourth-order term with a coefficient no larger than the coefficient of the series times 4",
+                   WallRunup::su_mirie(0.05)});
   CHECK(std::abs(WallRunup(0.1, 2, 192).runup() - 2 * small.runup()) < 1e-12);
 }
 
-TEST_CASE("so do those between", "[exact][full]") {
+TEST_CASE("the run-up of solitary waves of other heights on a vertical wall agrees with the reference",
+          "[exact][full]") {
   Check check = runup_check();
   const auto table = validation::reference_table("wall_runup_exact", check.record().reference_data);
   for (std::size_t row = 1; row < table.rows(); row += 2) judged(check, table, row);

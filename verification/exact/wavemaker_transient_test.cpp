@@ -86,12 +86,12 @@ void claim_volume(Check& check, const WavemakerTransient& wave, double mean_of_s
                     displaced});
 }
 
-TEST_CASE("a wavemaker starts from rest as linear theory says", "[exact]") {
+TEST_CASE("the start of a wavemaker from rest agrees with linear theory", "[exact]") {
   Check check("exact_wavemaker_transient", "Start-up of a wavemaker",
               "Flap of stroke 2.11 m and period 4.7 s in 4 m of water, gauge at 27.3 m. The integral of the linear "
               "theory is evaluated along paths in the complex plane; here it is compared with the plain trapezoidal "
-              "rule, which reaches four digits with a cut at $kd = 40$, and with its own value for other paths. At "
-              "first almost nothing arrives, the second wave is too low and the third too high: a numerical flume must "
+              "rule, which reaches four digits with a cut at $kd = 40$, and with its own value for other paths. The "
+              "first arrival is almost zero, the second wave is too low and the third too high: a numerical flume must "
               "be compared with this, not with the steady wave.",
               source);
   const WavemakerTransient wave = flume();
@@ -157,7 +157,7 @@ TEST_CASE("a wavemaker starts from rest as linear theory says", "[exact]") {
     }
     departures.push_back(std::sqrt(square));
   }
-  check.that("approach", "The wave approaches the steady one.",
+  check.that("approach", "The wave approaches the steady wave.",
              "rms departure during one period falls from 3 T to 10 T to 19 T to 40 T",
              {std::is_sorted(departures.rbegin(), departures.rend()) ? 1.0 : 0.0},
              Qualitative{"each of the four numbers is below the one before",

@@ -25,7 +25,7 @@ double moment_between(const BentLine& line, double from, double to) {
                     -1, 1);
 }
 
-TEST_CASE("a bent line's chords, places and moments agree to round-off", "[geometry]") {
+TEST_CASE("chords, positions and moments of a bent line agree to round-off", "[geometry]") {
   Check check("bent_line", "Two lines joined by an arc",
               "A level line at y = -1 that turns at (3, -1), to the left and to the right, by 0.1 to 1.5. Arc lengths "
               "before, on and after the arc, and intervals over one, two or all three of these.",

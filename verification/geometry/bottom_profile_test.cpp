@@ -86,10 +86,10 @@ std::vector<Interval> intervals(const Profile& profile, int count) {
 
 TEST_CASE("means of a bottom and of its square are exact over any interval", "[geometry]") {
   Check check("bottom_profile", "Means of a bottom over an interval",
-              "Models that keep volume and energy to round-off need the means of $b$ and $b^2$ over cells and over the "
-              "way of a marker in a step, which may be $10^{-12}$ long, may cross corners, and may be run from right "
-              "to left. Compared with Gauss's rule of 15 points between corners; the steepest slope of the broken "
-              "bottom is 16; a rounded place there is an error of the height.");
+              "Models that conserve volume and energy to round-off need the means of $b$ and $b^2$ over cells and over "
+              "the displacement of a node in a step, which may be $10^{-12}$ long, may cross corners, and may be run "
+              "from right to left. Compared with Gauss's rule of 15 points between corners; the steepest slope of the "
+              "broken bottom is 16; a rounded position there is an error of the height.");
   for (const Profile& profile : profiles()) {
     const BottomProfile& bottom = *profile.bottom;
     const bool broken = profile.id == "broken";
@@ -111,9 +111,10 @@ TEST_CASE("means of a bottom and of its square are exact over any interval", "[g
     const auto claim = [&](const std::string& text, double value, double height, double slope) {
       check.holds(
           text + " (" + profile.id + ")", {value},
-          Roundoff{(broken ? 70.0 : 10.0) + std::pow(10 * slope / 2, 2), height,
-                   "ten roundings per piece of heights up to 2, and one of a place up to 10, times the slope an error "
-                   "of the height; squares add up. Of a broken bottom all means are taken at the same places"});
+          Roundoff{
+              (broken ? 70.0 : 10.0) + std::pow(10 * slope / 2, 2), height,
+              "ten roundings per piece of heights up to 2, and one of a position up to 10, times the slope an error of "
+              "the height; squares add up. Of a broken bottom all means are taken at the same positions"});
     };
     INFO(profile.id);
     CHECK(one_sided == 0);  // from right to left is the same to the last bit, except by Gauss's rule
@@ -123,7 +124,7 @@ TEST_CASE("means of a bottom and of its square are exact over any interval", "[g
   }
 }
 
-TEST_CASE("the mean over no length is the elevation itself", "[geometry]") {
+TEST_CASE("the mean over an interval of length zero is the elevation", "[geometry]") {
   for (const Profile& profile : profiles()) {
     const BottomProfile& bottom = *profile.bottom;
     std::vector<double> places = {-10, -6.45, -3.3, 0, 1.7, 10};
@@ -138,7 +139,8 @@ TEST_CASE("the mean over no length is the elevation itself", "[geometry]") {
   }
 }
 
-TEST_CASE("elevations of many places are those of single ones, across any number of corners", "[geometry]") {
+TEST_CASE("elevations of many positions equal elevations of single positions, across any number of corners",
+          "[geometry]") {
   for (const Profile& profile : profiles()) {
     std::vector<double> x;
     for (int k = 0; k <= 4000; ++k) x.push_back(-10 + 0.005 * k);
@@ -157,7 +159,7 @@ TEST_CASE("elevations of many places are those of single ones, across any number
   }
 }
 
-TEST_CASE("slopes are derivatives, at a corner of its right side", "[geometry]") {
+TEST_CASE("slopes are derivatives, at a corner from the right side", "[geometry]") {
   const PiecewiseLinearBottom broken(knots, heights);
   for (std::size_t k = 0; k < knots.size(); ++k) {
     const std::size_t piece = std::min(k, knots.size() - 2);
@@ -173,7 +175,7 @@ TEST_CASE("slopes are derivatives, at a corner of its right side", "[geometry]")
   }
 }
 
-TEST_CASE("a slope is called uniform only where it is", "[geometry]") {
+TEST_CASE("a slope is reported as uniform only if it is", "[geometry]") {
   const PiecewiseLinearBottom broken(knots, heights);
   CHECK(broken.uniform_slope(-9, -7) == broken.slope(-8));
   CHECK(broken.uniform_slope(-7, -9) == broken.slope(-8));
@@ -188,7 +190,7 @@ TEST_CASE("a slope is called uniform only where it is", "[geometry]") {
   CHECK_FALSE(SmoothBottom(wave, wave_slope, -10, 10).uniform_slope(0, 1).has_value());
 }
 
-TEST_CASE("outside of its extent a bottom refuses to answer, naming the place and the extent", "[geometry]") {
+TEST_CASE("a bottom rejects positions outside its extent, naming position and extent", "[geometry]") {
   const double not_a_number = std::numeric_limits<double>::quiet_NaN();
   const PiecewiseLinearBottom broken(knots, heights);
   const SmoothBottom smooth(wave, wave_slope, -10, 10);

@@ -36,9 +36,9 @@ TEST_CASE("a point of a graph and its arc length belong together", "[geometry]")
   check.that("ends", "The number of points of the graph whose arc length lies beyond the curve is zero.",
              "points beyond the ends", {.value = beyond.value(), .resolution = "1 to 200 panels"}, Bound{0, "none"});
   check.from("arc length by Gauss's rule over each panel")
-      .that("round-trip", "The point at the arc length of a point is that point.", "largest distance [m]",
+      .that("round-trip", "The point at the arc length of a given point is the given point.", "largest distance [m]",
             {.value = apart.value(), .resolution = "40 to 200 panels"},
-            Roundoff{most, 6, "a sum over the panels, of places up to 6 m from the origin"});
+            Roundoff{most, 6, "a sum over the panels, of positions up to 6 m from the origin"});
 }
 
 }  // namespace seiche::verification::curve_test

@@ -68,11 +68,11 @@ std::vector<std::vector<Point>> dense_gradients(const DirichletCells& cells, std
   return dense;
 }
 
-TEST_CASE("cells are Voronoi's, cut by the outline", "[geometry]") {
+TEST_CASE("cells are Voronoi cells clipped by the outline", "[geometry]") {
   Check check("dirichlet_cells", "Areas of Dirichlet cells against clipping",
               "57 nodes in a rectangle, those inside moved at random. The area of every cell from the angles of the "
-              "triangles, beside the rectangle cut by the bisectors with all other nodes. The area is also that of a "
-              "sum over nodes in a box that wander, over many flips.",
+              "triangles, beside the rectangle cut by the bisectors with all other nodes. The area is also compared "
+              "with a sum over nodes that wander in a box, over many flips.",
               source);
   const Mesh mesh = block();
   const Triangulation triangles = triangulated(mesh);

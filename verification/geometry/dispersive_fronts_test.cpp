@@ -35,11 +35,11 @@ long breaking_cells(const BreakingFronts& fronts) {
   return std::ranges::count_if(fronts.damping(), [](double d) { return d > 0; });
 }
 
-TEST_CASE("fronts break when they are steep and go on while they are bores", "[geometry]") {
+TEST_CASE("fronts start to break when steep and continue while they are bores", "[geometry]") {
   Check check(
       "dispersive_fronts", "Fronts that break",
       "Straight fronts over depth 1. They begin at a slope of 30 degrees, end where the Froude number of a bore of "
-      "their depths falls below 1.3, a rise of 0.406, and carry on while they overlap with what broke.");
+      "their depths falls below 1.3, a rise of 0.406, and continue while they overlap with earlier breaking fronts.");
   const Breaking settings;
   BreakingFronts fronts(settings, markers - 1);
   const auto counts = [&](const std::string& text, long found, long expected) {
@@ -49,16 +49,16 @@ TEST_CASE("fronts break when they are steep and go on while they are bores", "[g
     fronts.find(front.surface());
     return breaking_cells(fronts);
   };
-  counts("A front of slope 1:2 does not begin.", after({0.5, 1.04}), 0);
+  counts("A front of slope 1:2 does not start to break.", after({0.5, 1.04}), 0);
   counts("A front of slope 1:1.7 breaks, over all its cells.", after({0.5, 0.84}), 10);
   counts("The breaking of a front that has become gentle continues at its new position.", after({0.5, 1.04, 0.3}), 12);
-  counts("A gentle front elsewhere does not take over.", after({0.5, 1.04, 2.5}), 0);
-  counts("A steep front of Froude number 1.29 is no bore.", after({0.39, 0.44}), 0);
+  counts("A gentle front elsewhere does not continue the breaking.", after({0.5, 1.04, 2.5}), 0);
+  counts("A steep front of Froude number 1.29 is not classified as a bore.", after({0.39, 0.44}), 0);
   counts("A steep front of Froude number 1.31 is classified as a breaking bore.", after({0.42, 0.44}), 6);
   counts("Breaking of a bore ends below the ceasing Froude number.", after({0.39, 0.44}), 0);
   Front faint(0.5, 0.84);
   for (std::size_t i = 0; i < markers; ++i) faint.u[i] -= 1e-6 * faint.x[i];
-  counts("Water that converges at a millionth of c/h on either side is no part of it.", after(faint), 10);
+  counts("Water that converges at 1e-6 c/h on either side is not part of the front.", after(faint), 10);
 
   Front front(0.5, 0.84, -4);
   const Front image(0.5, 0.84, 4.1);  // one period further

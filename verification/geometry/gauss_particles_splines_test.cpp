@@ -80,10 +80,10 @@ Defects defects(int degree, Ends ends) {
 }
 
 TEST_CASE("splines reproduce and continue polynomials to round-off", "[geometry]") {
-  Check check("gauss_particles_splines", "Splines of free particles: polynomials",
-              "Sums of B-splines with Marsden's coefficients are the powers of the place, in every cell of axes with "
-              "free ends, with walls, and without ends. The coefficient of a function up to seven cells away follows "
-              "from those of degree + 1 neighbours, or of three for polynomials of degree 2.");
+  Check check("gauss_particles_splines", "Splines of Gauss-principle particles: polynomials",
+              "Sums of B-splines with Marsden's coefficients are the powers of the coordinate, in every cell of axes "
+              "with free ends, with walls, and without ends. The coefficient of a function up to seven cells away "
+              "follows from degree + 1 neighbours, or of three for polynomials of degree 2.");
   const std::vector<std::pair<Ends, std::string>> all{
       {Ends::free, "free"}, {Ends::wall_below, "wall_below"}, {Ends::walls, "walls"}, {Ends::periodic, "periodic"}};
   for (int degree = lowest_degree; degree <= highest_degree; ++degree) {
@@ -95,7 +95,7 @@ TEST_CASE("splines reproduce and continue polynomials to round-off", "[geometry]
         check.holds(fmt::format("Degree {}, {}: polynomials are {}.", degree, name, what), {value},
                     Roundoff{operations, 4, reason});
       };
-      claim("reproduced", d.reproduced, "some 16 products, of powers of places up to (degree + 1)/2 cells", 100);
+      claim("reproduced", d.reproduced, "some 16 products, of powers of positions up to (degree + 1)/2 cells", 100);
       if (ends != Ends::periodic) {
         claim("continued", d.continued, "relative to the terms of the sum; weights from a triangle of 10 quotients",
               400);

@@ -69,10 +69,10 @@ double volume_by_quadrature(const CellCorners& r) {
   return sum;
 }
 
-TEST_CASE("the volume of a hexahedron is that of the trilinear map and the mean of the cuts of its faces",
+TEST_CASE("the volume of a hexahedron equals the trilinear map's and the mean over the cuts of its faces",
           "[geometry]") {
   Check check("hexahedron_volume", "Volume of a hexahedron",
-              "1000 random hexahedra, the corners of a unit cube moved by up to a quarter along each axis.", source);
+              "1000 random hexahedra, the corners of a unit cube moved by up to 1/4 along each axis.", source);
   std::minstd_rand random(1);
   Worst cuts, quadrature;
   for (int n = 0; n < 1000; ++n) {
@@ -166,8 +166,8 @@ TEST_CASE("gradients of volumes and of the potential energy agree with differenc
                       "27 coefficients of 24 products each, of numbers up to the largest of A mu"});
 }
 
-TEST_CASE("the symbol of the hexahedral lattice is that of the assembled matrix", "[geometry]") {
-  Check check("hexahedral_lattice_symbol", "Symbol of the undeformed hexahedral lattice",
+TEST_CASE("the symbol of the hexahedral mesh agrees with the assembled matrix", "[geometry]") {
+  Check check("hexahedral_lattice_symbol", "Symbol of the undeformed hexahedral mesh",
               "7 x 5 x 3 boxes of 0.4 x 0.6 between walls, on a level bottom, density 1.3. Cosines between the walls "
               "times a power of the layer, for every pair of phases: the assembled matrix against the symbol.",
               source);

@@ -89,7 +89,7 @@ std::vector<Variant> variants() {
   };
 }
 
-TEST_CASE("the smoothed overlap has the integral 1, that of balls is the area of their lens", "[geometry]") {
+TEST_CASE("the smoothed overlap has the integral 1, the overlap of balls the area of their lens", "[geometry]") {
   Check check("overlapping_kernel", "Overlaps of particles and control volumes",
               "Wendland's function of support 0.7, integrated over the plane; the lens of two discs of radius 0.35, "
               "counted on a fine lattice. The slopes beside central differences.",
@@ -129,15 +129,17 @@ TEST_CASE("the smoothed overlap has the integral 1, that of balls is the area of
     }
     check.holds("The slope is the derivative (" + id + ").", {slope.value()},
                 Bound{1e-8, "central differences of step 1e-6: rounding of values of some units over the step"});
-    check.holds(id + "-end: Nothing beyond the support.", {kernel.value(support)}, Bound{0, "zero by definition"});
+    check.holds(id + "-end: The kernel is zero beyond its support.", {kernel.value(support)},
+                Bound{0, "zero by definition"});
   }
 }
 
-TEST_CASE("the cell grid finds the neighbours that all pairs give", "[geometry]") {
-  Check check("overlapping_neighbours", "Neighbours on the cell grid",
-              "Particles in an oblique corner, moved at random twenty times by up to a tenth of the spacing. For each "
-              "and for its images, the control volumes within reach by the grid and by trying all pairs; once more "
-              "with a particle so far away that the grid's cells are wider. Lists are kept while they hold all pairs.");
+TEST_CASE("the cell grid finds the same neighbours as the test of all pairs", "[geometry]") {
+  Check check(
+      "overlapping_neighbours", "Neighbours on the cell grid",
+      "Particles in an oblique corner, moved at random twenty times by up to a tenth of the spacing. For each and for "
+      "its images, the control volumes within reach by the grid and by trying all pairs; once more with a particle so "
+      "far away that the grid's cells are wider. Lists are reused while they hold all pairs.");
   const Turned setting(0.4);
   const double reach = 2.6 * spacing;
   const Walls walls(setting.walls, reach);
@@ -177,7 +179,7 @@ TEST_CASE("the cell grid finds the neighbours that all pairs give", "[geometry]"
       check.holds(id + what + ": " + text, {value}, Bound{0, "counted by trying all pairs"});
     };
     counted("missing", "The neighbour lists miss no pair of particles.", missing);
-    counted("beyond", "New lists hold nobody far away.", beyond);
+    counted("beyond", "New lists hold no particle beyond the reach.", beyond);
     check.holds(id + "kept: Neighbour lists are rebuilt in some steps, not in every step.",
                 {made >= 2 && 2 * made <= rounds ? 1.0 : 0.0},
                 Qualitative{"lists made in twenty rounds",
@@ -185,12 +187,11 @@ TEST_CASE("the cell grid finds the neighbours that all pairs give", "[geometry]"
   }
 }
 
-TEST_CASE("gradients of the masses in control volumes are those of central differences", "[geometry]") {
-  Check check(
-      "overlapping_gradients", "Gradients of overlapping particles",
-      "Particles of unequal masses at random places: smoothed and as balls, free and in corners with their mirror "
-      "images. Rates of the masses for random velocities beside central differences of the masses themselves; the "
-      "reactions to multipliers are the transposed of that, and the assembled matrix their product.");
+TEST_CASE("gradients of the masses in control volumes agree with central differences", "[geometry]") {
+  Check check("overlapping_gradients", "Gradients of overlapping particles",
+              "Particles of unequal masses at random positions: smoothed and as balls, free and in corners with their "
+              "mirror images. Rates of the masses for random velocities beside central differences of the masses "
+              "themselves; the reactions to multipliers are the transpose, and the assembled matrix their product.");
   for (const Variant& v : variants()) {
     Model model(v.particles, v.settings);
     const mechanics::State state = model.state();
@@ -248,8 +249,8 @@ TEST_CASE("gradients of the masses in control volumes are those of central diffe
 
 TEST_CASE("masses in control volumes do not change by translation and rotation", "[geometry]") {
   Check check("overlapping_rigid", "Rigid motions of overlapping particles",
-              "Rates of the masses when all particles move alike: along x, along y, about the origin; beside a wall, "
-              "along it. Therefore momenta are kept.");
+              "Rates of the masses in rigid motions: along x, along y, about the origin; beside a wall, along it. "
+              "Therefore momenta are conserved.");
   const auto rigid = [&](const std::string& text, Model& model, const VelocityAt& velocity) {
     const mechanics::State state = model.state(velocity);
     model.linearise({}, state.q);
@@ -259,8 +260,8 @@ TEST_CASE("masses in control volumes do not change by translation and rotation",
     model.constraint_rates(noisy(2 * model.size(), 5), random);
     check.holds(text, {worst(rates) / worst(random)},
                 Roundoff{20, 10,
-                         "twenty terms of either sign for speeds up to 1, each of differences of places that are ten "
-                         "times as large"});
+                         "twenty terms of either sign for speeds up to 1, each of differences of positions that are "
+                         "ten times as large"});
   };
   for (const Shape shape : {Shape::smoothed, Shape::ball}) {
     Model model(jittered_square(), {.shape = shape, .support = shape == Shape::ball ? 1.6 : 2.6});

@@ -34,10 +34,10 @@ void over_places(const Work& work) {
   }
 }
 
-TEST_CASE("a spline bottom is of fourth order and its integral is its own", "[geometry]") {
+TEST_CASE("a spline bottom is fourth-order accurate and consistent with its integral", "[geometry]") {
   Check check("spline_bottom", "Bottom through elevations on a grid",
-              "A hill 0.4 high, spacings 1/4 to 1/32, elevations in the middles of its cells, slopes at 4300 places. "
-              "Values converge with order 4, slopes with order 3.",
+              "A hill 0.4 high, spacings 1/4 to 1/32, elevations in the middles of its cells, slopes at 4300 "
+              "positions. Values converge with order 4, slopes with order 3.",
               source);
   const std::string halvings = "three halvings from seven cells per width of the hill";
   refine(check, {"spacing", falling(0.25, 4)},
@@ -99,11 +99,11 @@ TEST_CASE("a spline bottom is of fourth order and its integral is its own", "[ge
              "largest difference", {across.value()}, differences);
 }
 
-TEST_CASE("over a spline bottom still water stays still and energy is conserved", "[conservation]") {
+TEST_CASE("over a spline bottom still water stays at rest and energy is conserved", "[conservation]") {
   using namespace dispersive_shallow_water_2d;
   Check check("spline_bottom_flow", "Waves over a bottom through elevations on a grid",
-              "A hill under water in a box of 10 x 10 depths, elevations every 0.5. Inner edges cancel between cells, "
-              "so that still water feels a force only along the walls across x, from the error of the edges' integral "
+              "A hill under water in a box of 10 h x 10 h, elevations every 0.5. Inner edges cancel between cells, so "
+              "that still water feels a force only along the walls across x, from the error of the edges' integral "
               "there; a bottom that is level at those walls has none.",
               source);
   const auto bottom = std::make_shared<SplineBottom>(SplineBottom::sampled(
@@ -130,7 +130,7 @@ TEST_CASE("over a spline bottom still water stays still and energy is conserved"
              Roundoff{50.0 * 400, 1, "one rounded work per cell and step"});
 }
 
-TEST_CASE("a spline bottom refuses bad grids and places", "[robustness]") {
+TEST_CASE("a spline bottom rejects bad grids and positions", "[robustness]") {
   const std::vector<double> four{0, 1, 2, 3};
   const std::vector<double> flat(16, -1.0);
   CHECK_THROWS_AS(SplineBottom({0, 1, 2}, four, std::vector<double>(12, -1.0)), std::invalid_argument);
@@ -146,11 +146,11 @@ TEST_CASE("a spline bottom refuses bad grids and places", "[robustness]") {
   CHECK_THROWS_AS(bottom.slope(std::numeric_limits<double>::quiet_NaN(), 1), Infeasible);
 }
 
-TEST_CASE("the integral of a bottom grows over a way by what the way says, however short", "[geometry]") {
+TEST_CASE("the integral of a bottom grows along a path by the path's own integral, however short", "[geometry]") {
   Check check("bottom_increment_2dh", "Increments of the bottom's integral",
-              "Between two places the bottom's integral along x grows by the integral of its gradient along the way "
-              "between them. Over long ways, across many cells of the grid, that is the difference of the two values; "
-              "over short ones it is known far better than that difference.",
+              "Between two positions the bottom's integral along x grows by the integral of its gradient along the "
+              "path between them. Over long paths, across many cells of the grid, that is the difference of the two "
+              "values; over short ones it is far more accurate than that difference.",
               source);
   const SplineBottom bottom = hill_bottom(0.5);
   Worst far, halves, near;
@@ -173,7 +173,7 @@ TEST_CASE("the integral of a bottom grows over a way by what the way says, howev
              Roundoff{48 * 12, 12, "up to 48 pieces of the way, each a sum of some 12 terms; values up to 12"});
   check.that("halves", "The increment of the integral over a short distance equals the sum over both halves.",
              "largest difference over the length of the way", {halves.value()},
-             Roundoff{16, 12, "gradients of up to 12, at places rounded to a unit in the last place of 11"});
+             Roundoff{16, 12, "gradients of up to 12, at positions rounded to a unit in the last place of 11"});
   check.that("near", "The increment of the integral over a distance of 5e-10 equals gradient times distance.",
              "largest difference over the length of the way", {near.value()},
              Bound{1e-9,

@@ -45,8 +45,8 @@ cpp_rational rational_in_circle(Point a, Point b, Point c, Point d) {
 
 TEST_CASE("signs of orientation and in-circle are exact where rounding would decide", "[geometry]") {
   Check check("predicates", "Signs of orientation and in-circle",
-              "Points on a line and on a circle, moved by a few units in the last place, far from the origin: what "
-              "plain arithmetic gives is noise. The signs are compared with rational arithmetic.",
+              "Points on a line and on a circle, moved by a few units in the last place, far from the origin: plain "
+              "floating-point arithmetic gives noise. The signs are compared with rational arithmetic.",
               "Shewchuk (1997)");
   Noise noise(1);
   const auto nudged = [&](double value) { return value * (1 + 0x1p-52 * std::round(2 * noise())); };
@@ -94,11 +94,11 @@ long edges_not_delaunay(const Triangulation& mesh, Places nodes) {
   return found;
 }
 
-TEST_CASE("flips give the triangles of a full rebuild over random motions", "[geometry]") {
+TEST_CASE("flips give the same triangles as a full rebuild over random motions", "[geometry]") {
   Check check("triangulation_flips", "Local flips against a full rebuild",
-              "Nodes in a box wander at random, those of its sides along them. After every motion the triangles are "
-              "compared with those of Boost.Polygon's Voronoi diagram, an independent method with integer arithmetic. "
-              "In one run of 37 nodes 2e4 motions of all nodes, in another of 919 nodes a few large ones. Nodes have "
+              "Nodes in a box wander at random, nodes on its sides along them. After every motion the triangles are "
+              "compared with Boost.Polygon's Voronoi diagram, an independent method with integer arithmetic. In one "
+              "run of 37 nodes 2e4 motions of all nodes, in another of 919 nodes a few large ones. Nodes have "
               "coordinates that are whole multiples of $2^{-28}$: both methods see the same numbers.");
   const auto run = [&](const std::string& id, int columns, int rows, int motions, double part) {
     WanderingBox box(columns, rows, 7);
@@ -125,11 +125,11 @@ TEST_CASE("flips give the triangles of a full rebuild over random motions", "[ge
   run("large", 28, 30, 50, 0.7);
 }
 
-TEST_CASE("an outline that is not convex keeps its edges", "[geometry]") {
+TEST_CASE("a non-convex outline retains its edges", "[geometry]") {
   Check check("triangulation_outline", "Flips within an outline that is not convex",
               "A layer of water with a steep wave for its surface, so that triangles of the nodes alone would bridge "
-              "its trough. Nodes inside wander; the triangles are compared with those of the own rebuild from nothing, "
-              "by ears and insertion, and their area with that of the outline.",
+              "its trough. Nodes inside wander; the triangles are compared with a rebuild from scratch, by ears and "
+              "insertion, and their area with the outline's.",
               source);
   free_lagrangian::Mesh mesh = free_lagrangian::layer_mesh(
       {.end = 4, .columns = 24, .rows = 6, .elevation = [](double x) { return 0.4 * std::cos(3 * x); }});

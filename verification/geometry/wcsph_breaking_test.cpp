@@ -76,7 +76,7 @@ std::vector<Contour> contours_of(const Tongue& tongue, double spacing) {
 TEST_CASE("a wave overturns when its front is past the vertical", "[geometry]") {
   Check check("wcsph_overturning", "Detector of overturning",
               "A cosine that is sheared more and more, to either side, as particles of spacing 1/100 of its length: "
-              "overhang and tip against those of the curve, and when the detector says that it has overturned.");
+              "overhang and tip against the curve's, and the time of overturning by the detector.");
   constexpr double spacing = 0.01;
   const std::string source = "x = X + (q/k) cos kX: geometry of the curve";
   check.source(source);
@@ -137,10 +137,10 @@ TEST_CASE("a wave overturns when its front is past the vertical", "[geometry]") 
   growth.points("from the particles", q_drawn, drawn);
 }
 
-TEST_CASE("a jet touches down when it shuts off air", "[geometry]") {
+TEST_CASE("a jet has landed when it encloses air", "[geometry]") {
   Check check("wcsph_touch_down", "Detector of touching down",
-              "A tongue of water grows along a half ring over the level and lands; to either side; and air shut off by "
-              "a wall of the box. When is it said to have landed, and how much air is enclosed?");
+              "A tongue of water grows along a half ring over the level and lands; to either side; and air enclosed by "
+              "a wall of the box. Compared are the detected time of landing and the area of enclosed air.");
   constexpr double spacing = 0.01;
   const double hole = 4 * spacing * spacing;
   const std::string source = "geometry of half a ring";
@@ -166,7 +166,7 @@ TEST_CASE("a jet touches down when it shuts off air", "[geometry]") {
       CHECK(found.towards_right == towards_right);
     }
   }
-  check.that("landed", "A tongue that has reached the level has shut off air.", "missed", {late},
+  check.that("landed", "The air under a tongue that has reached the level is enclosed.", "missed", {late},
              Qualitative{"touches_down(curves, 4 dx^2)", "water touches water", false});
   check.that("not-early", "The widest gap that is called closed is at most 2.6 dx, the support of the kernel.",
              "widest gap said to be closed, over dx", {early.value()},

@@ -52,14 +52,14 @@ long solutions(Lattice lattice, const Walls& walls) {
   return found;
 }
 
-TEST_CASE("the published flume cannot be decoded from its number of particles", "[geometry]") {
+TEST_CASE("the number of particles does not determine the published flume", "[geometry]") {
   Check check(
       "wcsph_flume_count", "Particle count of the plunging wave",
       "The counts of both dam breaks follow from their geometry, with walls of two staggered rows and a particle for "
       "each of both walls at a common corner. A flume has a bottom, a far wall and a paddle. By the same rules each of "
       "the three has an odd number of particles, $2n + 1$, and 26 layers of water an even one: the sum is odd, 35232 "
       "is even. By other rules, a corner counted once or a paddle of three rows, tens of thousands of flumes have that "
-      "number. So the length of the published flume cannot be told from its count.",
+      "number. The length of the published flume therefore does not follow from its count.",
       source);
   Worst formula;
   for (const Lattice lattice : {Lattice::square, Lattice::body_centred}) {

@@ -84,11 +84,11 @@ DiscErrors disc_errors(double spacing) {
   return errors;
 }
 
-TEST_CASE("the elevation of known layers comes out to a part of the spacing", "[geometry]") {
+TEST_CASE("the elevation of known layers is found within a fraction of the spacing", "[geometry]") {
   Check check("wcsph_elevation", "Elevation from the volume fraction",
               "A level layer on both lattices with both kernels, also beside walls, and a wave of small steepness on "
-              "halving spacings. A level where half of the kernel's weight is water is where the water ends, to what "
-              "the lattice's sums differ from the integral; a curved surface is smoothed over h.",
+              "halving spacings. The contour on which half of the kernel's weight is water is the end of the water, to "
+              "the difference between the lattice's sums and the integral; a curved surface is smoothed over h.",
               fractions);
   Largest level;
   for (const Lattice lattice : {Lattice::square, Lattice::body_centred}) {
@@ -99,8 +99,7 @@ TEST_CASE("the elevation of known layers comes out to a part of the spacing", "[
     }
   }
   check.that("level", "The elevation of a level layer is found within 0.1 dx.", "largest error over dx",
-             {level.value()},
-             Bound{0.1, "particles stand for cells dx high: a tenth of that is what is read off them"});
+             {level.value()}, Bound{0.1, "particles stand for cells of height dx: readings resolve a tenth of that"});
   const Scene basin = tank({.width = 1, .depth = 0.5, .spacing = 0.05}, water);
   check.that("walls", "The elevation beside walls is found within 0.1 dx: no weight behind them counts.",
              "largest error over dx", {elevation_error(basin, fraction_of(basin), [](double) { return 0.5; })},
@@ -117,7 +116,7 @@ TEST_CASE("the elevation of known layers comes out to a part of the spacing", "[
             {.period = 1, .depth = 0.5, .elevation = wave, .spacing = spacing, .fitting = Fitting::stretched}, water);
         return spacing * elevation_error(layer, fraction_of(layer), [&](double x) { return 0.5 + wave(x); });
       });
-  check.that("wave", "A wave of amplitude 0.4 dx is seen to a tenth of the spacing.", "largest error over dx",
+  check.that("wave", "A wave of amplitude 0.4 dx is resolved to a tenth of the spacing.", "largest error over dx",
              {errors[0][0] / 0.05}, Bound{0.1, "as for the level layer"});
 
   Scene two = periodic_layer({.period = 1, .depth = 0.5, .spacing = 0.05}, water);
@@ -127,10 +126,10 @@ TEST_CASE("the elevation of known layers comes out to a part of the spacing", "[
   CHECK(std::abs(sheets.mean_elevation(0.1, 0.4).value() - 1.3) < 0.005);
 }
 
-TEST_CASE("contours of discs and rings are where they should be", "[geometry]") {
+TEST_CASE("contours of discs and rings have their exact positions", "[geometry]") {
   Check check("wcsph_contours", "Free-surface contours",
               "Level curves of given fields, with linear interpolation along the edges of the grid; the contour of a "
-              "disc of particles against its radius, area and centre, on 64 places of the disc on the lattice; "
+              "disc of particles against its radius, area and centre, on 64 positions of the disc on the lattice; "
               "directions of curves around water and around air.",
               contouring);
   refine(check, {"step of the grid", widths(3, {20, 40, 80, 160}), "ellipse"},
@@ -153,24 +152,26 @@ TEST_CASE("contours of discs and rings are where they should be", "[geometry]") 
          });
 
   Largest farthest;
-  refine(
-      check,
-      {"dx/R", {0.14, 0.1, 0.07, 0.05, 0.035, 0.025}, "disc", "A disc's contour: errors over 64 places on the lattice"},
-      {{"disc-area",
-        "The area of a disc, averaged over its positions on the grid, converges at second order.",
-        {2, 0.3,
-         "leading term, curvature moves the level 1/2 by a part of h^2/R; a mean of 64 places leaves a part of the "
-         "scatter"}},
-       {"disc-centre",
-        "The centre of the disc converges with order 1.5.",
-        {1.5, 0.5,
-         "the first moment of the remainder of the number of lattice points in a disc, rms R^(1/2): Kendall, Q. J. "
-         "Math. 19 (1948) 1"}}},
-      [&](double spacing) {
-        const DiscErrors errors = disc_errors(spacing);
-        farthest.add(errors.radius.value() / spacing);
-        return std::array{std::abs(errors.area_mean), errors.centre};
-      });
+  refine(check,
+         {"dx/R",
+          {0.14, 0.1, 0.07, 0.05, 0.035, 0.025},
+          "disc",
+          "A disc's contour: errors over 64 positions on the lattice"},
+         {{"disc-area",
+           "The area of a disc, averaged over its positions on the grid, converges at second order.",
+           {2, 0.3,
+            "leading term, curvature moves the level 1/2 by a part of h^2/R; a mean of 64 positions leaves a part of "
+            "the scatter"}},
+          {"disc-centre",
+           "The centre of the disc converges with order 1.5.",
+           {1.5, 0.5,
+            "the first moment of the remainder of the number of lattice points in a disc, rms R^(1/2): Kendall, Q. J. "
+            "Math. 19 (1948) 1"}}},
+         [&](double spacing) {
+           const DiscErrors errors = disc_errors(spacing);
+           farthest.add(errors.radius.value() / spacing);
+           return std::array{std::abs(errors.area_mean), errors.centre};
+         });
   check.from(fractions).that("disc-radius", "The contour error of a disc is at most half a cell diagonal.",
                              "largest distance over dx", {farthest.value()},
                              Bound{0.75, "whether a cell belongs to the disc is decided by its middle: 0.71 dx"});
@@ -194,7 +195,7 @@ TEST_CASE("contours of discs and rings are where they should be", "[geometry]") 
   CHECK(std::abs(curves[0].distance(0, 0) - 1) < 0.04);
 }
 
-TEST_CASE("front and height of a column are those of its particles, not of spray", "[geometry]") {
+TEST_CASE("front and height of a column follow its particles, not spray", "[geometry]") {
   const Scene dam =
       dam_break({.width = 0.5, .height = 1, .tank_length = 2, .wall_height = 1.5, .spacing = 0.05}, water);
   Particles particles = dam.particles;

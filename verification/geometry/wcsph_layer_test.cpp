@@ -38,16 +38,16 @@ double mass_defect(Fitting fitting) {
 TEST_CASE("layers follow their surface and patches their circle", "[geometry]") {
   Check check(
       "wcsph_layers_patches", "Layers with an uneven surface and round patches",
-      "A cosine of half the depth on columns that keep the spacing and on stretched ones: the mass is exact. A disc of "
-      "1 m: the count, the second moment that the lattice gives it, velocities and pressures at the particles.",
+      "A cosine of half the depth on columns of constant spacing and on stretched ones: the mass is exact. A disc of 1 "
+      "m: the count, the second moment that the lattice gives it, velocities and pressures at the particles.",
       lattices);
   check.that("columns", "The area below the surface is represented by columns of equal spacing.",
              "relative error of the mass", {mass_defect(Fitting::columns)},
              Roundoff{20, 1,
                       "the mean of three depths; the sum is compensated, and the elevation's means over all strips "
                       "cancel by symmetry"});
-  check.that("stretched", "Columns that stretch hold the area below the surface.", "relative error of the mass",
-             {mass_defect(Fitting::stretched)}, Roundoff{20, 1, "the same"});
+  check.that("stretched", "The area of stretched columns equals the area below the surface.",
+             "relative error of the mass", {mass_defect(Fitting::stretched)}, Roundoff{20, 1, "the same"});
   const Scene overturning = wavy_layer(Fitting::columns);
   Smallest lightest;
   Largest heaviest;

@@ -24,8 +24,8 @@ PointMotion at(const Paddle& paddle, double t, double x, double z) {
 TEST_CASE("paddles move rigidly with the velocity that they state", "[geometry]") {
   const std::string source = "kinematics of a rigid body; Dean and Dalrymple (1991), ch. 6, for the motion X_w";
   Check check("wcsph_paddles", "Piston and flap",
-              "A flap in 1.3 cm of water whose stroke is 2.3 depths, so that it leans by 49.6 degrees, and a piston: "
-              "velocities against central differences of the places, distances between particles of the paddle, and "
+              "A flap in 1.3 cm of water whose stroke is 2.3 h, so that it tilts by 49.6 degrees, and a piston: "
+              "velocities against central differences of the positions, distances between particles of the paddle, and "
               "the place of the face at the still-water level.");
   check.source(source);
   const double frequency = 2 * std::numbers::pi / period;
@@ -39,7 +39,7 @@ TEST_CASE("paddles move rigidly with the velocity that they state", "[geometry]"
              name == "piston" ? Order{2, 0.003,
                                       "central differences of a sine: next term (omega dt)^2/20 relative, 0.0012 at "
                                       "the longest step, 1/40 of a period, 0.002 per halving"}
-                              : Order{2, 0.1, "central differences of second order; steps from 1/40 of a period"}}},
+                              : Order{2, 0.1, "central second-order differences; steps from 1/40 of a period"}}},
            [&](double step) {
              Worst error;
              for (double t = 0.013; t < period; t += 0.029) {
@@ -74,10 +74,10 @@ TEST_CASE("paddles move rigidly with the velocity that they state", "[geometry]"
     off.add(std::abs(face.z + 0.002 - depth) / depth);
   }
   check.that("rigid", "The flap turns without stretching its rows.", "relative change of distances", {stretch.value()},
-             Roundoff{60, 1, "differences of places up to 0.03 m over 0.012 m"});
+             Roundoff{60, 1, "differences of positions up to 0.03 m over 0.012 m"});
   check.that("still-water-level", "The paddle position at the still-water level is X_w = (S/2) sin(omega t).",
              "distance over the depth", {off.value()},
-             Roundoff{30, 1.6, "atan, sin, cos and a product; up to 1.54 depths from the hinge"});
+             Roundoff{30, 1.6, "atan, sin, cos and a product; up to 1.54 h from the hinge"});
   const PointMotion start = at(leaning, 0, -0.0005, 0.0005);
   CHECK(start.x == -0.0005);
   CHECK(start.z == 0.0005);

@@ -131,11 +131,11 @@ TEST_CASE("dam breaks have the published numbers of particles", "[geometry]") {
   }
 }
 
-TEST_CASE("scenes hold the water's mass, keep their distances and begin hydrostatically", "[geometry]") {
+TEST_CASE("scenes have the water's mass, regular distances and a hydrostatic start", "[geometry]") {
   Check check("wcsph_scenes", "Particles of the beginning",
-              "Every scene on both lattices: the mass is that of the water's area, no particle is nearer to another "
-              "than the lattice has it, walls of the square lattice stand a spacing from the water's first particles "
-              "and half a spacing from its effective end, and the pressure of the density is that of water at rest.",
+              "Every scene on both lattices: the mass agrees with the water's area, no two particles are nearer than "
+              "on the lattice, walls of the square lattice stand a spacing from the water's first particles and half a "
+              "spacing from its effective end, and the pressure from the density is hydrostatic.",
               lattices);
   Worst mass_defect;
   Distances square;
@@ -183,7 +183,7 @@ TEST_CASE("scenes hold the water's mass, keep their distances and begin hydrosta
   const Roundoff wall_places{.operations = 6,
                              .scale = 100,
                              .reason =
-                                 "a place on a wall is a product with a quotient, added to where the wall begins: "
+                                 "a position on a wall is a product with a quotient, added to the start of the wall: "
                                  "numbers of up to 100 dx along the bottom of the flume; otherwise as in the water"};
   const auto about = [](Roundoff limit, double expected) {
     limit.expected = expected;
@@ -220,8 +220,8 @@ TEST_CASE("scenes hold the water's mass, keep their distances and begin hydrosta
   }
   check.from("interface of the scene")
       .that("sweep", "The length by which the paddle reaches behind the end of the bottom is zero.",
-            "rearmost place of the paddle behind the end of the bottom [m]",
-            {std::max(with_flap.extents.left - rearmost.value(), 0.0)}, Bound{0, "nothing sticks out"});
+            "rearmost position of the paddle behind the end of the bottom [m]",
+            {std::max(with_flap.extents.left - rearmost.value(), 0.0)}, Bound{0, "no particle lies outside"});
 
   Settings extrapolating = water(0.2);
   extrapolating.walls = WallPressure::extrapolated;

@@ -89,7 +89,7 @@ TEST_CASE("threads that share loops count denormal numbers as zero", "[linear]")
     });
   }
   omp_set_num_threads(usual);
-  check.holds("Nothing is left of denormal numbers in any of the threads (four loops).", {static_cast<double>(left)},
+  check.holds("Denormal numbers are flushed to zero in every thread (four loops).", {static_cast<double>(left)},
               Bound{0, "the same bytes from any number of threads"});
 }
 

@@ -40,13 +40,13 @@ double difference(FactorWork a, FactorWork b) {
   return std::abs(a.entries - b.entries) + std::abs(a.operations - b.operations);
 }
 
-TEST_CASE("factors tell what they cost", "[linear]") {
-  Check check(
-      "factor_work", "What a factor costs",
-      "Entries and operations of Cholesky factors, as the solvers tell them, beside sums over the columns of bands and "
-      "full matrices; of a lattice that is one dense block of eight cells, and of one that is two on each other.");
+TEST_CASE("factors report their entries and operations", "[linear]") {
+  Check check("factor_work", "What a factor costs",
+              "Entries and operations of Cholesky factors, as the solvers report them, compared with sums over the "
+              "columns of bands and full matrices; of a mesh that is one dense block of eight cells, and of one that "
+              "is two on each other.");
   const auto same = [&](const std::string& id, FactorWork told, FactorWork counted) {
-    check.holds(id + ": The solver tells the entries and operations of its factor.", {difference(told, counted)},
+    check.holds(id + ": The solver reports the entries and operations of its factor.", {difference(told, counted)},
                 Bound{0, "whole numbers"});
   };
   same("tridiagonal", banded(50, 1), by_columns(50, 1));

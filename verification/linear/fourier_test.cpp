@@ -28,7 +28,7 @@ Complex coefficient(const std::vector<Complex>& samples, double k) {
 TEST_CASE("Fourier coefficients are their sums, in the order of their wavenumbers", "[linear]") {
   verification::Check check(
       "fourier", "Discrete Fourier transform",
-      "Coefficients against their sums, samples against what they came from, in place too; the derivative by $i k c_k$ "
+      "Coefficients against their sums, samples against the original ones, in place too; the derivative by $i k c_k$ "
       "of a trigonometric polynomial with all wavenumbers below $N/2$; the sawtooth $k = N/2$ of even $N$ is named.");
   for (const std::size_t n : {16U, 15U, 1U}) {
     Fourier fourier(n);

@@ -96,9 +96,9 @@ struct Errors {
   }
 };
 
-TEST_CASE("matrices of lattices are the dense matrices that they stand for", "[linear]") {
-  Check check("lattice_matrices", "Matrices of lattices against dense ones",
-              "Random couplings of all neighbours, filled in by their place in the lattice: products, scalar products "
+TEST_CASE("matrices of meshes equal their dense matrices", "[linear]") {
+  Check check("lattice_matrices", "Matrices of meshes against dense ones",
+              "Random couplings of all neighbours, filled in by their position in the mesh: products, scalar products "
               "and single coefficients against a dense matrix.");
   for (const std::size_t neighbours : {9U, 27U}) {
     Errors errors;
@@ -117,7 +117,7 @@ TEST_CASE("matrices of lattices are the dense matrices that they stand for", "[l
   }
 }
 
-TEST_CASE("conjugate gradients need as many iterations as there are eigenvalues", "[linear]") {
+TEST_CASE("conjugate gradients converge in as many iterations as there are distinct eigenvalues", "[linear]") {
   Check check("gradients_eigenvalues", "Conjugate gradients on few eigenvalues",
               "A diagonal matrix of 9000 unknowns with the eigenvalues 1 to 5: five iterations are enough where "
               "directions are conjugate, and where every unknown takes part in every sum.");
@@ -144,7 +144,7 @@ TEST_CASE("conjugate gradients need as many iterations as there are eigenvalues"
   } catch (const NotConverged&) {
     iterations = 100;
   }
-  check.holds("Five distinct eigenvalues take five iterations of the solver.", {static_cast<double>(iterations)},
+  check.holds("The number of iterations for five distinct eigenvalues is five.", {static_cast<double>(iterations)},
               Bound{0, "one for each eigenvalue, of a condition of five", 5});
   Worst error;
   for (std::size_t i = 0; i < size; ++i) error.add(x.data()[i] * eigenvalue(i) / b.data()[i] - 1);

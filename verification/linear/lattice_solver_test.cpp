@@ -98,8 +98,8 @@ struct Problem {
   }
 };
 
-TEST_CASE("the cosine lattice inverts undeformed lattices to single precision", "[linear]") {
-  Check check("cosine_lattice", "Cosine transforms invert the undeformed lattice",
+TEST_CASE("the cosine transform inverts undeformed meshes to single precision", "[linear]") {
+  Check check("cosine_lattice", "Cosine transforms invert the undeformed mesh",
               "The pressure matrix of an undeformed mesh, and a box of second differences in three directions, for "
               "random right-hand sides, against Eigen's dense Cholesky in double precision.");
   const auto claim = [&](const std::string& text, double error) {
@@ -147,10 +147,11 @@ TEST_CASE("conjugate gradients agree with dense elimination", "[linear]") {
     }
     // Roundings of the elimination and of the recurrence of the residual, at the size of |A| |x|.
     const double roundoff = 2e-14;
-    check.holds(fmt::format("Solutions to a relative residual of {:.0e} have the error that it allows.", tolerance),
-                {worst.value()},
-                Bound{tolerance + roundoff, "the tolerance, and 2e-14 for rounding errors of |A| |x|"});
-    check.holds(fmt::format("The true residual is {:.0e} when its recurrence says so.", tolerance),
+    check.holds(
+        fmt::format("The error of solutions to a relative residual of {:.0e} is within the bound of the residual.",
+                    tolerance),
+        {worst.value()}, Bound{tolerance + roundoff, "the tolerance, and 2e-14 for rounding errors of |A| |x|"});
+    check.holds(fmt::format("The true residual is {:.0e} when its recurrence gives this value.", tolerance),
                 {true_residual.value()},
                 Bound{tolerance + roundoff, "the tolerance, and 2e-14 for rounding errors of |A| |x|"});
   }
@@ -158,9 +159,9 @@ TEST_CASE("conjugate gradients agree with dense elimination", "[linear]") {
 
 TEST_CASE("iterations depend on the deformation, not on the size", "[linear]") {
   Check check("lattice_iterations", "Iterations of the pressure solver",
-              "A mesh four depths long, deformed along half cosines, random right-hand side, no initial guess. On "
-              "equal deformations the undeformed matrix and the deformed one differ by factors that do not depend on "
-              "the mesh width, so that the number of iterations does not either.");
+              "A mesh 4 h long, deformed along half cosines, random right-hand side, no initial guess. On equal "
+              "deformations the undeformed matrix and the deformed one differ by factors that do not depend on the "
+              "mesh width, so that the number of iterations does not either.");
   const std::vector<double> amplitudes = {0, 0.0125, 0.025, 0.05, 0.075, 0.1, 0.15, 0.2};
   const std::vector<std::size_t> rows = {16, 64, 256};
   std::vector<std::vector<double>> found;
@@ -187,15 +188,14 @@ TEST_CASE("iterations depend on the deformation, not on the size", "[linear]") {
   }
   check.holds("The residual on the undeformed mesh falls by single precision per iteration.",
               {largest(std::array{found[0][0], found[1][0], found[2][0]})},
-              Bound{3, "1e-10 is two factors of 1e-5, and one iteration for what the factors vary"});
+              Bound{3, "1e-10 is two factors of 1e-5, and one iteration for the variation of the factors"});
   check.holds("The number of iterations to 1e-10 at a/h = 0.05 is at most 14.",
               {largest(std::array{found[0][chosen], found[1][chosen], found[2][chosen]})},
               Bound{14, "the budget of a time step of a million cells"});
   check.holds("The number of iterations to 1e-13 at a/h = 0.05 is at most 20.",
               {static_cast<double>(Problem(1024, 256, 0.05).iterations(1e-13))},
               Bound{20, "the budget of a time step of a million cells"});
-  check.holds("The number of iterations does not depend on the size, up to an amplitude of 0.1 depths.",
-              {spread.value()},
+  check.holds("The number of iterations does not depend on the size, up to an amplitude of 0.1 h.", {spread.value()},
               Bound{3, "the coarsest mesh holds fewer of the eigenvalues that lie between the same bounds"});
 }
 
@@ -250,7 +250,7 @@ TEST_CASE("conjugate gradients at the edges of their range", "[linear]") {
       CHECK(problem.solve(scaled, y, {1e-10}).iterations == from_zero.iterations);
     }
   }
-  SECTION("what does not converge is said") {
+  SECTION("failure to converge is reported") {
     LatticeArray y(24, 9);
     CHECK_THROWS_AS(problem.solve(b, y, {1e-10, 3}), NotConverged);
     for (std::size_t c = 0; c < problem.a.size(); ++c) problem.a[problem.a.own][c] *= -1;
@@ -260,7 +260,7 @@ TEST_CASE("conjugate gradients at the edges of their range", "[linear]") {
   }
 }
 
-TEST_CASE("lattices that have no inverse are refused", "[linear]") {
+TEST_CASE("singular meshes are rejected", "[linear]") {
   const auto constant = [](double value) {
     return [value](double, double, std::span<double> diagonal, std::span<double> off) {
       std::ranges::fill(diagonal, value);

@@ -104,7 +104,7 @@ TEST_CASE("solutions of nine-point systems too large for dense elimination leave
   }
 }
 
-TEST_CASE("a nine-point matrix that is not positive definite is refused with its cell", "[linear]") {
+TEST_CASE("a nine-point matrix that is not positive definite is rejected with its cell", "[linear]") {
   for (const Shape shape : {Shape{1, 1}, {4, 3}, {30, 9}, {9, 30}, {40, 3}}) {
     NinePointCholesky solver(shape.columns, shape.rows);
     StencilMatrix a = matrix_of(shape, 0.1);
@@ -133,7 +133,7 @@ TEST_CASE("a nine-point matrix that is not positive definite is refused with its
   CHECK_THROWS_AS(NinePointCholesky(3, 0), std::invalid_argument);
 }
 
-TEST_CASE("sparse Cholesky refuses what is not a lower triangle and a wrong number of values", "[linear]") {
+TEST_CASE("sparse Cholesky rejects matrices that are not lower triangles and wrong numbers of values", "[linear]") {
   Eigen::SparseMatrix<double> a(3, 3);
   for (int i = 0; i < 3; ++i) a.insert(i, i) = 1;
   a.makeCompressed();

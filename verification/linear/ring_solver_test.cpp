@@ -94,7 +94,7 @@ TEST_CASE("matrices of rings are the sums of their blocks, and are solved", "[li
   for (std::size_t i = 0; i < n; ++i) error.add(solution[i] - x[static_cast<Eigen::Index>(i)]);
   check.holds("Solutions before and after a change of the pattern.", {error.value()},
               Bound{1e-13, "condition number below 100 times rounding"});
-  check.holds("The pattern is analysed when it is another one, and only then.",
+  check.holds("The pattern is analysed if and only if it has changed.",
               {static_cast<double>(10 * once + solver.analyses())}, Bound{0, "one, then two", 12});
   Refusals refusals(check);
   refusals.refused({"unknown 2", "no ring"}, [] {

@@ -112,7 +112,7 @@ TEST_CASE("tridiagonal solvers agree with dense elimination", "[linear]") {
   claim("Periodic elimination solves the periodic tridiagonal system.", largest_error<Ring>(true));
 }
 
-TEST_CASE("a matrix that is not positive definite is refused with its row", "[linear]") {
+TEST_CASE("a matrix that is not positive definite is rejected with its row", "[linear]") {
   std::vector<double> diagonal(9, 2.0);
   const std::vector<double> off_diagonal(9, -1.0);
   TwoEndedTridiagonal solver;

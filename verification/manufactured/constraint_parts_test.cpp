@@ -51,7 +51,7 @@ TEST_CASE("the curvature of a chain's links is bilinear in two velocities", "[me
   }
 }
 
-TEST_CASE("areas change along curved walls as their curvature says", "[mechanics]") {
+TEST_CASE("areas change along curved walls according to their curvature", "[mechanics]") {
   using namespace lagrangian_mesh_2d;
   Check check("lagrangian_mesh_curvature", "Curvature of areas along a curved bottom",
               "Nodes slide on a bump, others move straight. Along that motion, with constant speeds $s'$, the rates of "
@@ -86,15 +86,15 @@ TEST_CASE("areas change along curved walls as their curvature says", "[mechanics
   check.that("areas", "Second derivatives of the cell areas agree with differences within 1e-9.", "largest difference",
              {worst.value()},
              Bound{1e-9,
-                   "h^4/90 of a sixth derivative of 10 is 1e-13; areas of 0.1 rounded to 1e-17 in products of places "
-                   "up to 6, 1e-15, over h^2"});
+                   "h^4/90 of a sixth derivative of 10 is 1e-13; areas of 0.1 rounded to 1e-17 in products of "
+                   "positions up to 6, 1e-15, over h^2"});
 }
 
-TEST_CASE("nodes at a slanted wall keep the velocity along it", "[mechanics]") {
+TEST_CASE("nodes at a slanted wall retain the velocity along it", "[mechanics]") {
   using namespace lagrangian_mesh_3d;
   Check check("lagrangian_mesh_3d_slides", "What a slanted wall leaves of velocities",
-              "A layer between walls whose south side is turned by 30 degrees. Of any velocity its nodes keep the part "
-              "along the wall, and the vertical one above the bottom.");
+              "A layer between walls whose south side is turned by 30 degrees. Its nodes retain the component of any "
+              "velocity along the wall, and the vertical component above the bottom.");
   const double c = std::cos(std::acos(-1.0) / 6), s = 0.5;
   Mesh mesh = layer_mesh(
       {.end = 4,
@@ -126,7 +126,7 @@ TEST_CASE("nodes at a slanted wall keep the velocity along it", "[mechanics]") {
     }
   }
   const auto claim = [&](const std::string& text, double value) {
-    check.holds(text, {value}, Roundoff{20, 1, "a normal from rounded places, a product with it, and its part"});
+    check.holds(text, {value}, Roundoff{20, 1, "a normal from rounded positions, a product with it, and its part"});
   };
   claim("The component along the wall is unchanged.", slid.value());
   claim("Velocities of nodes inside the water are not changed by sliding walls.", free.value());

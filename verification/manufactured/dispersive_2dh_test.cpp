@@ -29,7 +29,7 @@ void check_orders(Check& check, Stepping stepping, Refinement refinement, const 
          });
 }
 
-TEST_CASE("the 2DH model is of second order against a manufactured motion", "[manufactured]") {
+TEST_CASE("the 2DH model is second-order accurate against a manufactured motion", "[manufactured]") {
   Check check("manufactured_dispersive_2dh", "Manufactured motion of a basin: orders in space and time",
               "A basin of sides $\\pi$ whose columns of water follow a prescribed motion under the body force that "
               "sustains it. $n \\times n$ cells with equally spaced labels, steps of a quarter of a cell, $t = 0$ to "
@@ -44,7 +44,7 @@ TEST_CASE("the 2DH model is of second order against a manufactured motion", "[ma
   }
 }
 
-TEST_CASE("the 2DH model is of second order in time alone", "[manufactured]") {
+TEST_CASE("the 2DH model is second-order accurate in time alone", "[manufactured]") {
   Check check("manufactured_dispersive_2dh_time", "Manufactured motion of a basin: order in time",
               "The same motion on 16 x 16 cells with 16 to 128 steps, against 2048 steps on the same cells: errors of "
               "time alone. The one-step scheme's volumes err by $O(\\tau^2)$ too.",

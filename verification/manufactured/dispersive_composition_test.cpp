@@ -79,12 +79,12 @@ std::vector<Method> methods() {
   };
 }
 
-TEST_CASE("compositions of the dispersive model's steps are of fourth order", "[manufactured]") {
+TEST_CASE("compositions of the dispersive model's steps are fourth-order accurate", "[manufactured]") {
   Check check("dispersive_composition", "Dispersive shallow water: compositions to fourth order in time",
               "Solitary wave of amplitude 0.3 in a periodic level channel of length 60, cells of 0.25, $t = 20$. The "
-              "error is the largest of a marker's place against the limit of small steps on the same cells, so that it "
-              "is all of time. Suzuki's composition of the conservative scheme is of fourth order and keeps energy, "
-              "momentum and the volume of every cell to round-off.",
+              "error is the maximum of a node's position against the limit of small steps on the same cells, and "
+              "therefore the error in time. Suzuki's composition of the conservative scheme is fourth-order accurate "
+              "and conserves energy, momentum and the volume of every cell to round-off.",
               source);
   const std::vector<double> limit = run<OneStep>(0.01, suzuki_weights()).x;
   for (const Method& method : methods()) {

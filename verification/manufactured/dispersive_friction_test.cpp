@@ -45,12 +45,12 @@ double velocity_at(Flow flow, double time, double tau) {
   return flow.p().front();
 }
 
-TEST_CASE("friction at the bottom slows a uniform current as its law says", "[manufactured]") {
+TEST_CASE("friction at the bottom slows a uniform current according to its law", "[manufactured]") {
   Check check("dispersive_friction", "Friction at the bottom of a channel",
               "Dispersive shallow water in one dimension, depth 0.8 m. A current of 1 m/s decays, $u = u_0/(1 + k u_0 "
               "t)$ with $k = C/H$; from rest down a slope of 1:20 the flow becomes normal, $u = U \\tanh(g S t/U)$, $U "
               "= \\sqrt{g S/k}$. Friction is implicit, alone exact for a uniform current, and acts half before and "
-              "half after every step, which together is of second order.",
+              "half after every step, which is second-order accurate.",
               "Chow (1959), chapters 5 and 6");
   const double slope = 0.05;
   const auto normal = [&](const Law& law) { return std::sqrt(gravity * slope / law.per_length); };
@@ -62,25 +62,25 @@ TEST_CASE("friction at the bottom slows a uniform current as its law says", "[ma
                  1 / (1 + 4 * law.per_length)});
   }
   const Order second{2, 0.1, "a symmetric splitting of friction and step"};
-  refine(
-      check, {"step", {0.1, 0.05, 0.025, 0.0125}},
-      {{"manning-normal", "Manning and the slope: after 2 s the flow starts towards the normal one.", second},
-       {"quadratic-normal", "A quadratic law and the slope: after 2 s the flow starts towards the normal one.", second},
-       {"settled", "The flow after 40 s agrees with the normal flow of Manning's law.", second}},
-      [&](double tau) {
-        const auto start = [&](const Law& law) {
-          return std::abs(velocity_at(uniform_flow(law.friction, 0, gravity * slope), 2, tau) -
-                          normal(law) * std::tanh(2 * gravity * slope / normal(law)));
-        };
-        const double settled = velocity_at(uniform_flow(laws[0].friction, 1, gravity * slope), 40, tau);
-        return std::array{start(laws[0]), start(laws[1]), std::abs(settled - normal(laws[0]))};
-      });
+  refine(check, {"step", {0.1, 0.05, 0.025, 0.0125}},
+         {{"manning-normal", "Manning and the slope: after 2 s the flow starts to approach the normal one.", second},
+          {"quadratic-normal", "A quadratic law and the slope: after 2 s the flow starts to approach the normal one.",
+           second},
+          {"settled", "The flow after 40 s agrees with the normal flow of Manning's law.", second}},
+         [&](double tau) {
+           const auto start = [&](const Law& law) {
+             return std::abs(velocity_at(uniform_flow(law.friction, 0, gravity * slope), 2, tau) -
+                             normal(law) * std::tanh(2 * gravity * slope / normal(law)));
+           };
+           const double settled = velocity_at(uniform_flow(laws[0].friction, 1, gravity * slope), 40, tau);
+           return std::array{start(laws[0]), start(laws[1]), std::abs(settled - normal(laws[0]))};
+         });
 }
 
-TEST_CASE("what friction takes is booked to round-off", "[manufactured]") {
+TEST_CASE("the energy and momentum removed by friction are recorded to round-off", "[manufactured]") {
   Check check("dispersive_friction_ledger", "What friction takes",
               "A solitary wave of 0.3 m in a periodic channel of depth 1 m, Manning's n = 0.05, conservative scheme, "
-              "200 steps of 0.05 s. Energy and momentum, less what friction took, stay.",
+              "200 steps of 0.05 s. Energy and momentum plus the recorded losses by friction are constant.",
               "energy balance");
   const Channel channel{.bottom = std::make_shared<LevelBottom>(1.0),
                         .period = 30,
@@ -96,13 +96,13 @@ TEST_CASE("what friction takes is booked to round-off", "[manufactured]") {
   }
   check.that("energy", "The sum of energy and frictional dissipation is conserved to round-off.",
              "largest error over the energy", {flow.ledger().largest_defect("energy") / energy},
-             Roundoff{200 * 120, 2, "a rounded term per marker and step; kinetic and potential energy are halves"});
+             Roundoff{200 * 120, 2, "a rounded term per node and step; kinetic and potential energy are halves"});
   check.from("momentum balance")
       .that("momentum", "Momentum plus the booked impulse of friction is conserved to round-off.",
             "largest error over the momentum", {flow.ledger().largest_defect("momentum") / momentum},
-            Roundoff{200 * 120, 2, "a rounded term per marker and step"});
+            Roundoff{200 * 120, 2, "a rounded term per node and step"});
   check.from("Manning's law")
-      .that("taken", "Friction takes what its law takes of the wave at the start, in the order of magnitude.",
+      .that("taken", "The energy loss by friction has the order of magnitude of its law for the initial wave.",
             "share of the energy lost in 10 s over the rate of the start times 10 s",
             {flow.lost().friction / energy /
              (10 *
@@ -116,7 +116,7 @@ TEST_CASE("what friction takes is booked to round-off", "[manufactured]") {
                 }
                 return power / fresh.energy();
               }())},
-            Bound{0.2, "the wave decays by less than a fifth of its height meanwhile", 1});
+            Bound{0.2, "the wave decays by less than 20 % of its height meanwhile", 1});
 }
 
 }  // namespace seiche::verification::dispersive_friction_test

@@ -39,9 +39,9 @@ std::vector<double> forces(const Channel& channel, const Markers& markers, const
 }
 
 TEST_CASE("both shores have the mass of their tip", "[manufactured]") {
-  Check check("dispersive_tips", "Masses of shoreline markers",
-              "Water between slopes of 1 to 4 and 1 to 8. The triangle of a tip gives it a quarter of its volume, or a "
-              "sixth, with which a plane surface over a plane slope accelerates as a whole: on either shore.");
+  Check check("dispersive_tips", "Masses of shoreline nodes",
+              "Water between slopes of 1 to 4 and 1 to 8. The mass of a tip is a quarter of its triangle, or a sixth, "
+              "with which a plane surface over a plane slope accelerates uniformly, on either shore.");
   for (const auto& [mass, share, name] :
        {std::tuple{TipMass::elementary, 0.25, "elementary"}, std::tuple{TipMass::consistent, 1.0 / 6, "consistent"}}) {
     const Channel channel{.bottom = valley(), .left = End::tip, .right = End::tip, .tip_mass = mass};
@@ -57,11 +57,11 @@ TEST_CASE("both shores have the mass of their tip", "[manufactured]") {
 
 TEST_CASE("a wall on a slope moves its column up and down", "[manufactured]") {
   Check check(
-      "dispersive_wall_inertia", "Inertia of a marker at a wall on a slope",
-      "A marker at a wall has the vertical velocity $v$ alone. Along a bottom inclined by $\\varphi$ that is $p = v "
-      "\\sin\\varphi$ and normal to it $r = v \\cos\\varphi$, and the energy $m (p^2 + \\alpha r^2)/2$ (Frank) is that "
-      "of the inertia $m (\\sin^2\\varphi + \\alpha \\cos^2\\varphi)$. A column whose vertical velocity is linear "
-      "between bed and surface and that does not move sideways has $\\alpha m$ (Green and Naghdi).");
+      "dispersive_wall_inertia", "Inertia of a node at a wall on a slope",
+      "A node at a wall has the vertical velocity $v$ alone. Along a bottom inclined by $\\varphi$ that is $p = v "
+      "\\sin\\varphi$ and normal to it $r = v \\cos\\varphi$, and the energy $m (p^2 + \\alpha r^2)/2$ (Frank) "
+      "corresponds to the inertia $m (\\sin^2\\varphi + \\alpha \\cos^2\\varphi)$. A column whose vertical velocity is "
+      "linear between bed and surface and that does not move sideways has $\\alpha m$ (Green and Naghdi).");
   const double slope = 0.25;
   const double cosine_square = 1 / (1 + slope * slope);
   for (const double alpha : {1.0 / 3, 0.4}) {
@@ -72,7 +72,7 @@ TEST_CASE("a wall on a slope moves its column up and down", "[manufactured]") {
       const Model model(channel, markers);
       const double part = 2 * energy_across(model, model.state_of(markers), 0) / model.masses().front();
       check.holds(
-          fmt::format("Inertia of a wall's marker, {}, alpha = {:.3g}.", frank ? "Frank" : "Green and Naghdi", alpha),
+          fmt::format("Inertia of a wall's node, {}, alpha = {:.3g}.", frank ? "Frank" : "Green and Naghdi", alpha),
           {part},
           Roundoff{10, 1, "squares of a sine and a cosine, a sum, a quotient",
                    frank ? 1 - cosine_square + alpha * cosine_square : alpha});

@@ -94,22 +94,21 @@ Errors rms(const Fields& fields) {
 std::vector<Refined> all_unknowns(const std::string& id, const std::string& text, const Order& order) {
   std::vector<Refined> all;
   for (const std::string& name : names)
-    all.push_back({id + "-" + name, text + ": " + name + " is of second order.", order});
+    all.push_back({id + "-" + name, text + ": " + name + " is second-order accurate.", order});
   return all;
 }
 
 TEST_CASE("all unknowns of dispersive shallow water converge with second order over an uneven bottom",
           "[manufactured]") {
-  Check check(
-      "dispersive_manufactured", "Dispersive shallow water: manufactured motion over an uneven bottom",
-      "Bottom $b = -1 + 0.2\\cos(2\\pi x/10)$, period 10. Markers are made to follow $x = a + 0.3 "
-      "\\sin(ka)\\cos(0.8t)$ with the dynamic pressure $0.05\\cos(2ka)\\sin(0.8t)$ by forces on both rates of "
-      "every particle. The bottom lies on the markers' path, so that frames, volumes and forces all change. "
-      "The step is $2.5/n$, the end $t = 5$. Positions, rates and the multipliers have to converge with second "
-      "order, for either kinetic energy and each scheme, and with the energy of improved dispersion, gamma = "
-      "1/15 and alpha = 2/5, for the two schemes whose gradients of that energy differ. With a quadratic law of "
-      "friction, C = 1, and the force that makes up for it, the velocity along the bottom has to.",
-      "method of manufactured solutions: Roache, J. Fluids Eng. 124 (2002) 4");
+  Check check("dispersive_manufactured", "Dispersive shallow water: manufactured motion over an uneven bottom",
+              "Bottom $b = -1 + 0.2\\cos(2\\pi x/10)$, period 10. Nodes are made to follow $x = a + 0.3 "
+              "\\sin(ka)\\cos(0.8t)$ with the dynamic pressure $0.05\\cos(2ka)\\sin(0.8t)$ by forces on both rates of "
+              "every particle. The bottom lies on the nodes' path, so that frames, volumes and forces all change. The "
+              "step is $2.5/n$, the end $t = 5$. Positions, rates and the multipliers must converge at second order, "
+              "for either kinetic energy and each scheme, and with the energy of improved dispersion, gamma = 1/15 and "
+              "alpha = 2/5, for the two schemes whose gradients of that energy differ. With a quadratic law of "
+              "friction, C = 1, and the force that makes up for it, the velocity along the bottom has to.",
+              "method of manufactured solutions: Roache, J. Fluids Eng. 124 (2002) 4");
   std::vector<Water> all;
   for (const auto& [frame, energy, kinetics] :
        {std::tuple{"frank", "Frank's energy", Kinetics::frank},
@@ -143,20 +142,20 @@ TEST_CASE("all unknowns of dispersive shallow water converge with second order o
   }
 }
 
-TEST_CASE("the step alone is of second order over an uneven bottom", "[manufactured]") {
+TEST_CASE("the step alone is second-order accurate over an uneven bottom", "[manufactured]") {
   Check check("dispersive_manufactured_step", "Dispersive shallow water: manufactured motion, refinement of the step",
-              "Frank's energy, one-step scheme. On 400 cells the error of the cells is taken out marker by marker, as "
-              "that of a run with very short steps.",
+              "Frank's energy, one-step scheme. On 400 cells the error of the cells, taken from a run with very short "
+              "steps, is subtracted node by node.",
               "method of manufactured solutions: Roache, J. Fluids Eng. 124 (2002) 4");
   const auto run = [](double tau) { return errors_at_end({}, 400, std::lround(end / tau)); };
   const Fields of_cells = run(0.0125 / 16);
   refine(
       check, {"step", {0.1, 0.05, 0.025, 0.0125}},
-      all_unknowns("order", "The step's error",
-                   {2, 0.05,
-                    "dispersive waves reach omega = 1.9 here: errors of fourth order, (omega tau)^2/4 of those of "
-                    "second, are 1 % at the longest step; the shortest step is 16 of the reference's, whose own error "
-                    "is 0.4 % of it"}),
+      all_unknowns(
+          "order", "The step's error",
+          {2, 0.05,
+           "dispersive waves reach omega = 1.9 here: fourth-order errors, (omega tau)^2/4 of the second-order ones, "
+           "are 1 % at the longest step; the shortest step is 16 of the reference's, whose own error is 0.4 % of it"}),
       [&](double tau) {
         Fields fields = run(tau);
         for (std::size_t k = 0; k < unknowns; ++k) {

@@ -58,7 +58,7 @@ double power(const Flow& flow) {
   return sum;
 }
 
-TEST_CASE("friction at the bottom takes the energy of Manning's law", "[manufactured]") {
+TEST_CASE("friction at the bottom dissipates energy according to Manning's law", "[manufactured]") {
   Check check(
       "drag_2dh", "Friction at the bottom in 2DH",
       "Water sloshes in a basin 6 by 4, depth 0.8, Manning's n = 0.3, until t = 4. What is lost of the energy is "
@@ -69,8 +69,8 @@ TEST_CASE("friction at the bottom takes the energy of Manning's law", "[manufact
          {{"work",
            "The energy lost is the work of the law, to O(tau).",
            {1, 0.2,
-            "friction is implicit in velocities that gravity has changed and the columns' volumes, which act after it, "
-            "have not: off by O(tau)"}}},
+            "friction is implicit in velocities that include gravity but not the columns' volumes, which act later: an "
+            "error of O(tau)"}}},
          [&](double tau) {
            Flow flow(sloshing(), {}, {.stepping = Stepping::conservative},
                      {.gravity = 1, .drag = {.manning = manning}});
@@ -87,15 +87,15 @@ TEST_CASE("friction at the bottom takes the energy of Manning's law", "[manufact
            return std::abs(before - flow.energy() - work) / before;
          });
   check.that("volumes", "The volume of every cell is conserved to round-off.", "largest defect", {volumes},
-             Roundoff{320, 6, "a rounded place, up to 6, per step"});
+             Roundoff{320, 6, "a rounded position, up to 6, per step"});
 }
 
-TEST_CASE("a layer that absorbs makes standing waves decay at half of its rate", "[manufactured]") {
-  Check check("absorption_2dh", "Absorption in 2DH",
-              "A standing wave of $10^{-6}$ depths in a basin 6 by 4 whose water slows down everywhere at the rate r = "
-              "0.3: $z'' + r z' + \\Omega^2 z = 0$, $\\Omega$ of the lattice in closed form. Elevation in a corner at "
-              "t = 7 against the solution.",
-              "z'' + r z' + Omega^2 z = 0");
+TEST_CASE("an absorbing layer makes standing waves decay at half of its rate", "[manufactured]") {
+  Check check(
+      "absorption_2dh", "Absorption in 2DH",
+      "A standing wave of $a/h = 10^{-6}$ in a basin 6 by 4 with uniform damping at the rate r = 0.3: $z'' + r z' + "
+      "\\Omega^2 z = 0$, $\\Omega$ of the mesh in closed form. Elevation in a corner at t = 7 against the solution.",
+      "z'' + r z' + Omega^2 z = 0");
   constexpr double rate = 0.3;
   constexpr double time = 7;
   constexpr double amplitude = 1e-6;
@@ -127,11 +127,11 @@ TEST_CASE("a layer that absorbs makes standing waves decay at half of its rate",
   check.that("size", "The error at the smallest step is at most r tau/2 of the amplitude, half a step of decay.",
              "difference over the first amplitude", {.value = errors[0].back(), .resolution = "tau = 0.025"},
              Bound{0.5 * rate * 0.025,
-                   "half a step of decay between places and velocities: r tau/2 of the amplitude; other errors are of "
-                   "second order"});
+                   "half a step of decay between positions and velocities: r tau/2 of the amplitude; other errors are "
+                   "of second order"});
 }
 
-TEST_CASE("the lattice's own pattern decays at its rate and smooth motions do not", "[manufactured]") {
+TEST_CASE("the mesh's own pattern decays at its rate and smooth motions do not", "[manufactured]") {
   Check check("pattern_2dh", "The pattern + - + - in 2DH",
               "Velocities of 12 x 10 equal cells before and after a short time in which the pattern + - + - is slowed "
               "down: that pattern, velocities of second degree in x and y, and random ones.",
@@ -172,7 +172,7 @@ TEST_CASE("the lattice's own pattern decays at its rate and smooth motions do no
   const auto [all, left] = slowed(pattern, h, equal, ones);
   check.that("rate", "The pattern decays at the given rate within 1e-4.", "rate of an inner node over the given one",
              {(1 - left[inner] / all[inner]) / (rate * h)},
-             Bound{1e-4, "pair after pair: what one takes the next no longer has, some 10 rate h", 1});
+             Bound{1e-4, "pairs act in turn: each reduces the velocity left for the next, some 10 rate h", 1});
   const auto [waves, damped] = slowed(
       [](std::size_t k) {
         const std::size_t row = k / 13;
@@ -216,11 +216,11 @@ TEST_CASE("the lattice's own pattern decays at its rate and smooth motions do no
              Qualitative{"after less than before", "every pair takes energy"});
 }
 
-TEST_CASE("steep water that runs together exchanges momentum and other water does not", "[manufactured]") {
+TEST_CASE("steep converging water exchanges momentum and other water does not", "[manufactured]") {
   Check check("breaking_2dh", "Breaking in 2DH",
               "12 x 10 equal cells 0.5 by 0.4, level bottom 0.8 deep, g = 1; the surface steps up by 1.2 along the "
-              "sixth column, what is steeper than 2 begins to break. Velocities before and after a short time. Then "
-              "the step falls to 0.6, where it is a bore of Froude number 1.55, and to 0.2, of 1.19.");
+              "sixth column, fronts steeper than 2 begin to break. Velocities before and after a short time. Then the "
+              "step falls to 0.6, a bore of Froude number 1.55, and to 0.2, of 1.19.");
   Lattice lattice =
       rectangular_lattice({.begin = 0, .end = 6, .south = 0, .north = 4, .columns = 12, .rows = 10, .depth = depth});
   const std::size_t n = lattice.shape.nodes();
@@ -280,7 +280,7 @@ TEST_CASE("steep water that runs together exchanges momentum and other water doe
   check.that("rate", "The momentum that two neighbours exchange agrees with the viscosity within 1e-4.",
              "force over nu H times the width and the gradient of the velocity",
              {(after[inner] - before[inner]) * masses[inner] / (h * -1.0 * force)},
-             Bound{1e-4, "implicit: off by twice h times the rate of some 10, and rounding over 1e-6", 1});
+             Bound{1e-4, "implicit: an error of twice h times the rate of some 10, and rounding over 1e-6", 1});
   const auto [wild, tamed] = change(drag, 5, 1.2, together, 10);
   check.that("momentum", "Momentum is conserved to round-off over any time.", "change of its two components together",
              {momentum(tamed, 0) - momentum(wild, 0) + momentum(tamed, 1) - momentum(wild, 1)},
@@ -288,20 +288,21 @@ TEST_CASE("steep water that runs together exchanges momentum and other water doe
   // The step's last velocities are twice the mean less the first.
   std::vector<double> last = tamed;
   for (std::size_t k = 0; k < last.size(); ++k) last[k] = 2 * tamed[k] - wild[k];
-  check.that("no-return", "Over a long time both velocities converge to one value.",
-             "difference of the last velocities over that of the first",
+  check.that("no-return", "Both velocities converge to one value over a long time.",
+             "difference of the last velocities over the first difference",
              {(last[inner + 1] - last[inner]) / (wild[inner + 1] - wild[inner])},
              Bound{0.05, "1/(1 + 2 x), x some tens, is positive and small", 0.05});
-  check.that("energy", "Energy falls where two velocities become one.", "energy after over that before is less than 1",
-             {energy(last) < energy(wild) ? 1.0 : 0.0}, Qualitative{"after less than before", "an implicit exchange"});
+  check.that("energy", "Energy decreases where two velocities become equal.",
+             "energy after over that before is less than 1", {energy(last) < energy(wild) ? 1.0 : 0.0},
+             Qualitative{"after less than before", "an implicit exchange"});
   const double goes_on = changed(change(drag, 5, 0.6, together, 0.1));
   Drag other({.breaking_slope = 2}, lattice, 1.0 / 3);
   other.breaking().continue_from(drag.breaking());
   other.breaking().shift_east();
   const double shifted = changed(change(other, 4, 0.6, meet_at(4), 0.1));
   check.that("goes-on",
-             "What broke breaks on, though it is not steep any more; so it does in a flow that goes on with it, a "
-             "column further west when that one's window moves.",
+             "A breaking front continues to break when it is no longer steep; likewise in a flow resumed from it, one "
+             "column further west after its window has moved.",
              "both change velocities", {goes_on > 0.01 && shifted > 0.01 ? 1.0 : 0.0},
              Qualitative{"more than 0.01 of 0.5", "0.1 times a rate of some 10 changes a third of them"});
   Worst others;
@@ -309,9 +310,8 @@ TEST_CASE("steep water that runs together exchanges momentum and other water doe
   others.add(changed(change(drag, 5, 1.2, away, 0.1)));
   others.add(changed(change(drag, 5, 0.6, together, 0.1)));
   check.that("others",
-             "What is no bore any more, water that runs apart, and a step that is not steep and did not break, stay as "
-             "they are.",
-             "largest change of a velocity", {others.value()}, Roundoff{1, 1, "nothing is computed"});
+             "Velocities of a former bore, of diverging water, and of a gentle step that did not break, are unchanged.",
+             "largest change of a velocity", {others.value()}, Roundoff{1, 1, "no computation starts"});
 }
 
 }  // namespace seiche::verification::drag_2dh_test

@@ -34,7 +34,7 @@ FiniteVolumeFlow stationary_jump(State upstream, State downstream) {
       upstream, downstream);
 }
 
-TEST_CASE("fluxes through a face are those of the schemes in closed form", "[manufactured]") {
+TEST_CASE("fluxes through a face equal the schemes' closed forms", "[manufactured]") {
   Check check(
       "finite_volume_faces", "Finite volumes: fluxes in closed form",
       "Steps so short that the states beside a face do not change. A stream of depth $h$ and velocity $u$ that meets a "
@@ -60,7 +60,7 @@ TEST_CASE("fluxes through a face are those of the schemes in closed form", "[man
   const double c = std::sqrt(g * h);
   auto stream = two_states({.scheme = Scheme::muscl_hll, .left = End::inflow({h, u})}, {h, u}, {h, u});
   stream.advance(tau);
-  check.that("collision", "A wall that stops a stream bears the thrust of the HLL flux with Einfeldt's speeds.",
+  check.that("collision", "The thrust on a wall that stops a stream equals the HLL flux with Einfeldt's speeds.",
              "thrust on the wall over density [m^3/s^2]", {-stream.ledger().impulse_right / tau},
              expected(0.5 * g * h * h + h * u * u + h * u * (c + u / 2)));
   auto dam = two_states({.scheme = Scheme::muscl_hll, .right = End::inflow({0, 0})}, {h, 0}, {h, 0});
@@ -78,7 +78,7 @@ TEST_CASE("fluxes through a face are those of the schemes in closed form", "[man
   const long steps = march(jump, end);
   Worst moved;
   for (std::size_t i = 0; i < cells; ++i) moved.add(jump.depth()[i] - (i < cells / 2 ? shallow : deep).depth);
-  check.that("roe-jump", "Roe's scheme leaves a stationary jump where it is.",
+  check.that("roe-jump", "Roe's scheme preserves a stationary hydraulic jump.",
              "largest change of the depth in ten seconds [m]",
              {.value = moved.value(), .resolution = std::to_string(steps) + " steps"},
              Roundoff{4e6, 1.2,
@@ -89,7 +89,7 @@ TEST_CASE("fluxes through a face are those of the schemes in closed form", "[man
   Largest kept;
   for (std::size_t i = 0; i + 1 < cells; ++i) kept.add(std::abs(expansion.depth()[i + 1] - expansion.depth()[i]));
   check.that("roe-expansion",
-             "A jump that would gain energy spreads into a fan with steps of at most 0.35 m after one second.",
+             "A discontinuity that would gain energy spreads into a fan with steps of at most 0.35 m after one second.",
              "largest difference of neighbouring depths after one second [m]",
              {.value = kept.value(), .resolution = "40 cells of 1 m"},
              Bound{0.35,
@@ -97,7 +97,7 @@ TEST_CASE("fluxes through a face are those of the schemes in closed form", "[man
                    "one cell is no fan"});
 }
 
-TEST_CASE("friction and bed act as the ledger says", "[manufactured]") {
+TEST_CASE("friction and bed forces equal their entries in the ledger", "[manufactured]") {
   Check check("finite_volume_sources", "Finite volumes: friction and bed",
               "Uniform flow between free ends under Manning's friction obeys $u' = -k u |u|$, $k = g n^2/h^{4/3}$: the "
               "implicit step $u/(1 + \\tau k |u|)$ is exact, $u = u_0/(1 + k u_0 t)$. Water that sloshes over a slope "
@@ -120,9 +120,9 @@ TEST_CASE("friction and bed act as the ledger says", "[manufactured]") {
   FiniteVolumeFlow water({.scheme = Scheme::muscl_hll}, 0, 4, depth, std::vector<double>(cells, 0.0), slope);
   constexpr long swings = 4000;
   for (long k = 0; k < swings; ++k) water.advance(0.002);
-  check.from("finite-volume form: what leaves a cell enters its neighbour or the bed")
+  check.from("finite-volume form: the flux out of a cell enters its neighbour or the bed")
       .that("bed-impulse", "The momentum change equals the impulses of walls and bed to round-off.",
-            "momentum defect after eight seconds [m^3/s]",
+            "momentum error after eight seconds [m^3/s]",
             {.value = water.momentum_defect(), .resolution = "40 cells, 4000 steps"},
             Roundoff{3.0 * cells * swings, 0.005,
                      "three roundings per cell and step of thrusts up to g (0.7 m)^2/2 = 2.4 m^3/s^2 times tau"});

@@ -44,13 +44,13 @@ struct Expectation {
 };
 
 TEST_CASE("finite-volume schemes converge with their orders on a smooth simple wave", "[manufactured]") {
-  Check check("finite_volume_smooth_wave", "Smooth simple wave: orders of the finite-volume schemes",
-              "A hump $h = 1 + 0.2 \\cos^6(\\pi (x-6)/6)$ runs to the right until $t = 0.9$ s, two thirds of its "
-              "breaking time. Error: mean over the cells of the difference of mean depths, Courant number 0.4. The "
-              "first-order schemes approach their order from below (their viscosity flattens the crest), so their "
-              "order is fitted on finer grids than that of the second-order schemes, whose limiter costs a little at "
-              "the crest.",
-              "Toro, Shock-capturing methods for free-surface shallow flows (2001)");
+  Check check(
+      "finite_volume_smooth_wave", "Smooth simple wave: orders of the finite-volume schemes",
+      "A hump $h = 1 + 0.2 \\cos^6(\\pi (x-6)/6)$ runs to the right until $t = 0.9$ s, two thirds of its breaking "
+      "time. Error: mean over the cells of the difference of mean depths, Courant number 0.4. The first-order schemes "
+      "approach their order from below (their viscosity flattens the crest), so their order is fitted on finer grids "
+      "than the order of the second-order schemes, whose limiter adds a small error at the crest.",
+      "Toro, Shock-capturing methods for free-surface shallow flows (2001)");
   const auto wave = exact::SimpleWave::hump(9.81, 1, 0.2, 6, 6);
   const std::array<Expectation, 4> expectations{{
       {Scheme::lax_friedrichs, 1, 1600},

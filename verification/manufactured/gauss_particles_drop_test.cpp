@@ -47,13 +47,13 @@ Particles four() {
 TEST_CASE("particles with all linear fields follow Dirichlet's ellipse, however few", "[manufactured]") {
   Check check("gauss_particles_linear_fields", "Gauss-principle particles with linear fields: Dirichlet's ellipse",
               "With the five linear solenoidal fields and isotropic second moments the particles move on the exact "
-              "paths but for the error in time: of second order with the conservative scheme, for 300 particles and "
-              "for 4, of first order with Frank's projection scheme.",
+              "paths except for the error in time: second-order with the conservative scheme, for 300 particles and "
+              "for 4, first-order with Frank's projection scheme.",
               source);
   const auto order = [](double theory) {
     return Order{theory, 0.01,
-                 "nothing else errs, and the next term is tau (projection scheme) or tau^2 of the first: 0.01 of an "
-                 "order over this range"};
+                 "time is the only source of error, and the next term is tau (projection scheme) or tau^2 of the "
+                 "first: 0.01 of an order over this range"};
   };
   refine(check, {"step", {0.04, 0.02, 0.01, 0.005}},
          {{"conservative", "Conservative scheme, 300 particles: second order.", order(2)},

@@ -106,7 +106,7 @@ TEST_CASE("the projection finds a smooth field to the order of its splines", "[m
                "The projection errs by O(h^p): " + name + ".",
                {static_cast<double>(degree), 0.25,
                 "the next term is up to k h of the first, k = 2 being the largest wave number of the field: 0.6 at the "
-                "coarsest lattice, 0.08 at the finest, a quarter on average"}}},
+                "coarsest grid, 0.08 at the finest, a quarter on average"}}},
              [&](double h) {
                const auto cells = static_cast<int>(cells_of(length, h));
                Particles at = water(cells, 4, false);
@@ -126,33 +126,32 @@ TEST_CASE("the projection finds a smooth field to the order of its splines", "[m
 }
 
 TEST_CASE("a pressure gradient is projected to zero as the particles' sums become integrals", "[manufactured]") {
-  Check check("gauss_particles_gradients", "Gauss-principle particles: what the projection leaves of a gradient",
+  Check check("gauss_particles_gradients", "Gauss-principle particles: projection of a gradient",
               "The gradient of a pressure that vanishes on the surface is orthogonal to every solenoidal field, but "
               "for the error of sums over particles. What the projection leaves of it falls with the square of the "
               "particles' spacing for equal masses in a row, with its fourth power for end-corrected ones. This is the "
               "seed of the instability under gravity.",
               source);
-  refine(
-      check, {"spacing in cells", widths(1, {8, 16, 32, 64})},
-      {{"midpoint",
-        "Projections with equal masses have order 2.",
-        {2, 0.1,
-         "the midpoint rule, by its ends; what lines of the lattice add is s^1.5 of it: 0.04 at the largest spacing s "
-         "= 1/8 and 0.002 at the smallest, or 0.02 of an order"}},
-       {"end-corrected",
-        "Projections with end-corrected masses have order 4.",
-        {4, 0.5,
-         "the midpoint rule with its first end correction is of fourth order; where rows of particles cross a line "
-         "of the lattice, at which second derivatives of the velocities jump, a sum errs by s^3 with a sign that "
-         "changes along the row: s^3.5 in a mean, not less"}}},
-      [](double spacing) {
-        const auto left = [&](bool end_corrected) {
-          const Particles at = water(40, static_cast<int>(cells_of(1, spacing)), end_corrected);
-          const Velocities full = gradient(at);
-          return norm(at, projected(at, full, 3, 40)) / norm(at, full);
-        };
-        return std::array{left(false), left(true)};
-      });
+  refine(check, {"spacing in cells", widths(1, {8, 16, 32, 64})},
+         {{"midpoint",
+           "Projections with equal masses have order 2.",
+           {2, 0.1,
+            "the midpoint rule, by its ends; the error from lines of the grid is s^1.5 of it: 0.04 at the largest "
+            "spacing s = 1/8 and 0.002 at the smallest, or 0.02 of an order"}},
+          {"end-corrected",
+           "Projections with end-corrected masses have order 4.",
+           {4, 0.5,
+            "the midpoint rule with its first end correction is fourth-order accurate; where rows of particles cross a "
+            "line of the grid, at which second derivatives of the velocities jump, a sum errs by s^3 with a sign that "
+            "changes along the row: s^3.5 in a mean, not less"}}},
+         [](double spacing) {
+           const auto left = [&](bool end_corrected) {
+             const Particles at = water(40, static_cast<int>(cells_of(1, spacing)), end_corrected);
+             const Velocities full = gradient(at);
+             return norm(at, projected(at, full, 3, 40)) / norm(at, full);
+           };
+           return std::array{left(false), left(true)};
+         });
 }
 
 TEST_CASE("the penalty of a cubic stream function is its integral", "[manufactured]") {
@@ -209,11 +208,10 @@ TEST_CASE("the penalty of a cubic stream function is its integral", "[manufactur
   }
 }
 
-TEST_CASE("a step's penalty takes its integral from the energy", "[manufactured]") {
-  Check check(
-      "gauss_particles_penalty_step", "Gauss-principle particles: what the penalty takes in a step",
-      "A block of 2 by 1 with the velocity (y^2/2, 0), whose vorticity has the gradient 1, falls freely for one "
-      "short step: the penalty takes tau C h^(7/2) g^(1/2) rho times the area from its energy.");
+TEST_CASE("the penalty reduces the energy by its integral in a step", "[manufactured]") {
+  Check check("gauss_particles_penalty_step", "Gauss-principle particles: energy removed by the penalty in a step",
+              "A block of 2 by 1 with the velocity (y^2/2, 0), whose vorticity has the gradient 1, falls freely for "
+              "one short step: the penalty reduces its energy by tau C h^(7/2) g^(1/2) rho times the area.");
   constexpr double density = 3, gravity = 4, coefficient = 0.5, tau = 1e-6;
   for (const int cells : {4, 8}) {
     const double h = 1.0 / cells;
@@ -242,7 +240,8 @@ TEST_CASE("a step's penalty takes its integral from the energy", "[manufactured]
                       "0.15 are rounded to 1e-17 each, of which 1e-9 is the difference",
                       1};
     check.holds("The energy falls by it, h = 1/" + std::to_string(cells) + ".", {(before - energy()) / by_hand}, bound);
-    check.holds("It is booked as lost, h = 1/" + std::to_string(cells) + ".", {model.penalty_loss() / by_hand}, bound);
+    check.holds("The energy is recorded as lost, h = 1/" + std::to_string(cells) + ".",
+                {model.penalty_loss() / by_hand}, bound);
   }
 }
 

@@ -72,7 +72,7 @@ Result run(double h) {
   return {squares.rms(), flow.ledger().largest_defect("energy")};
 }
 
-TEST_CASE("an unsteady vortical flow with a free surface is met to second order", "[manufactured]") {
+TEST_CASE("an unsteady vortical flow with a free surface is computed at second order", "[manufactured]") {
   Check check(
       "gauss_particles_vortical", "Gauss-principle particles: a manufactured vortical flow",
       "Water in a circle turns with a strength and a shape that change in time, driven by the body force that makes it "
@@ -84,8 +84,8 @@ TEST_CASE("an unsteady vortical flow with a free surface is met to second order"
          {{"order",
            "The velocity errs by O(h^2) with tau = h/4.",
            {2, 0.25,
-            "second order in time; the splines add a term of third order, up to h of the first with fields of order 1: "
-            "0.3 on the coarsest lattice, 0.075 on the finest"}}},
+            "second order in time; the splines add a third-order term, up to h of the first with fields of order 1: "
+            "0.3 on the coarsest grid, 0.075 on the finest"}}},
          [&](double h) {
            const Result result = run(h);
            if (h == 0.2) defect = result.work_defect;

@@ -47,7 +47,7 @@ double oscillator_error(AdaptiveMethod method, double tolerance) {
 TEST_CASE("weights of compositions meet the conditions of order four", "[mechanics]") {
   Check check("composition_weights", "Weights of compositions",
               "A symmetric composition of a symmetric step of order two is of order four when its weights add up to "
-              "one and their cubes to nothing. An error in the last digits of a weight shows in no observed order.");
+              "one and their cubes to zero. An error in the last digits of a weight shows in no observed order.");
   const auto claim = [&](const std::string& text, double value, double expected) {
     check.holds(text, {value}, Roundoff{10, 5, "at most ten rounded weights, their cubes up to 5", expected});
   };
@@ -78,10 +78,10 @@ TEST_CASE("equal steps are no longer than asked for and end at the time", "[mech
   state.time = 0.5;
   lengths.clear();
   march(flow, 2, 0.3);
-  claim("A time of five whole steps takes five.", static_cast<double>(lengths.size()), 5);
+  claim("A time of five whole steps is divided into five.", static_cast<double>(lengths.size()), 5);
 }
 
-TEST_CASE("adaptive methods keep their tolerance", "[mechanics]") {
+TEST_CASE("errors of adaptive methods stay within their tolerance", "[mechanics]") {
   Check check("adaptive_tolerances", "Tolerances of the adaptive methods",
               "A harmonic oscillator over three periods, which carries the errors of the steps on without growth.");
   for (const double tolerance : {1e-6, 1e-8, 1e-10}) {
@@ -97,7 +97,7 @@ TEST_CASE("adaptive methods keep their tolerance", "[mechanics]") {
   }
 }
 
-TEST_CASE("RATTLE keeps positions and velocities on the constraints", "[mechanics]") {
+TEST_CASE("RATTLE satisfies the constraints in positions and velocities", "[mechanics]") {
   Check check("rattle_constraints", "Constraints under RATTLE",
               "Spherical double pendulum, unit links, 1000 steps of 0.01; constraints of positions and of velocities "
               "after each step.");
@@ -118,9 +118,9 @@ TEST_CASE("RATTLE keeps positions and velocities on the constraints", "[mechanic
     check.holds(text, {value}, Roundoff{10, 10, reason});
   };
   claim("Link lengths are constant to round-off in each step.", positions.value(),
-        "products of coordinates up to 2 and of their differences, ten to a link; nothing accumulates");
+        "products of coordinates up to 2 and of their differences, ten to a link; roundings do not accumulate");
   claim("Velocities along the links vanish to round-off.", velocities.value(),
-        "products of velocities up to 3 with differences up to 2, ten to a link; nothing accumulates");
+        "products of velocities up to 3 with differences up to 2, ten to a link; roundings do not accumulate");
 }
 
 }  // namespace seiche::verification::integrator_parts_test

@@ -48,11 +48,11 @@ Errors errors_of(const exact::SolitaryWave& wave, std::size_t layers) {
 }
 
 TEST_CASE("an impulsive pressure sets hexahedra into the potential flow of its wave", "[manufactured]") {
-  Check check("lagrangian_mesh_3d_impulse", "Impulsive start of the hexahedral mesh",
-              "The surface of the exact solitary wave of height 0.3 is struck with the impulsive pressure "
-              "$-\\rho\\phi$ of its potential, on meshes of cubes of 1/4 to 1/16 of the depth: the kinetic energy of "
-              "the mesh against that of the wave.",
-              source);
+  Check check(
+      "lagrangian_mesh_3d_impulse", "Impulsive start of the hexahedral mesh",
+      "On the surface of the exact solitary wave of height 0.3 acts the impulsive pressure $-\\rho\\phi$ of its "
+      "potential, on meshes of cubes of 1/4 to 1/16 of the depth: the kinetic energy of the mesh against the wave's.",
+      source);
   const exact::SolitaryWave wave(0.3);
   Largest rates;
   refine(check, {"cell/depth", widths(1, {4, 6, 8, 12, 16})},

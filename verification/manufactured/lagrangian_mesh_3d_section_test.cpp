@@ -77,23 +77,23 @@ double difference(const Slope& slope, Stepping stepping, double tau) {
   return off.value();
 }
 
-TEST_CASE("hexahedra without motion across are the mesh in the plane, over slopes too", "[manufactured]") {
+TEST_CASE("hexahedra without transverse motion agree with the mesh in the plane, over slopes too", "[manufactured]") {
   Check check("lagrangian_mesh_3d_section", "Hexahedra beside the mesh in the plane, over a slope",
               "A hump over a bottom that rises along x, 24 x 3 cells in the plane, 24 x 2 x 3 in space, until t = 4. "
-              "On a plane slope both slide the same way, to round-off. On a bent one the mesh in the plane counts arc "
-              "lengths, the hexahedra have one more constraint: two schemes of second order.",
+              "On a plane slope both slide the same way, to round-off. On a curved one the plane mesh has arc lengths "
+              "as coordinates, the hexahedra one more constraint: two second-order schemes.",
               source);
   for (const Stepping stepping : {Stepping::one_step, Stepping::conservative}) {
     const std::string id = stepping == Stepping::one_step ? "one-step" : "conservative";
-    check.holds("Over a plane slope every node is where the node of the mesh in the plane is, " + id + ".",
-                {difference({.c1 = 0.08, .c2 = 0}, stepping, 0.1)},
-                Roundoff{40 * 8, length,
-                         "places up to 8 depths, rounded with those of the seven other corners in each of 40 steps"});
+    check.holds(
+        "Over a plane slope every node is where the node of the mesh in the plane is, " + id + ".",
+        {difference({.c1 = 0.08, .c2 = 0}, stepping, 0.1)},
+        Roundoff{40 * 8, length, "positions up to 8 h, rounded with the seven other corners in each of 40 steps"});
   }
   refine(check, {"step", {0.2, 0.1, 0.05, 0.025}},
          {{"bent-order",
            "The difference over a bent slope falls at second order in the step.",
-           {2, 0.3, "both schemes are symmetric, of second order"}}},
+           {2, 0.3, "both schemes are symmetric and second-order accurate"}}},
          [](double tau) { return difference({.c1 = 0, .c2 = 0.01}, Stepping::one_step, tau); });
 }
 

@@ -96,24 +96,25 @@ Errors errors_of(const Flow& flow) {
 
 const Order inside{2, 0.15,
                    "second order; coarse meshes' interiors still feel the layer at the surface and the bottom"};
-const Order along{1, 0.15, "a node feels the pressure gradient half a cell inside; the next term is of second order"};
+const Order along{1, 0.15,
+                  "a node feels the pressure gradient half a cell inside; the next term is second-order accurate"};
 const std::vector<Refined> quantities = {
     {"interior", "The interior node positions over the uneven bed converge at second order.", inside},
     {"velocity", "The interior velocities over the uneven bed converge at second order.", inside},
     {"pressure", "The interior pressure over the uneven bed converges at second order.", inside},
     {"shape",
      "The surface shape over the uneven bed converges at second order.",
-     {2, 0.2, "second order: what is of first order is along the surface"}},
+     {2, 0.2, "second order: the first-order error is along the surface"}},
     {"slip", "The slip of surface nodes over the uneven bed converges at first order.", along},
     {"bottom", "The slip of bed nodes along the uneven bed converges at first order.", along},
 };
 
-TEST_CASE("the manufactured motion over a bottom keeps volumes and follows from its force", "[manufactured]") {
+TEST_CASE("the manufactured motion over a bottom conserves volumes and follows from its force", "[manufactured]") {
   Check check(
       "hexahedral_motion", "The manufactured motion over an uneven bottom: identities",
-      "Volumes, walls and the bottom are kept by identities. Velocities are the rates of places, and the force over "
-      "the acceleration is the gradient of the pressure, $F^T (f - r_{tt}) = \\nabla \\lambda$ over the labels: both "
-      "by differences of sixth order over steps of 1/50, which know nothing of the formulas for derivatives.",
+      "Volumes, walls and the bottom are preserved by identities. Velocities are the rates of positions, and the force "
+      "over the acceleration is the gradient of the pressure, $F^T (f - r_{tt}) = \\nabla \\lambda$ over the labels: "
+      "both by sixth-order differences over steps of 1/50, independent of the formulas for derivatives.",
       source);
   const auto bottom = Motion::bottom();
   /// At labels X, Y, height and a time.
@@ -171,26 +172,27 @@ TEST_CASE("the manufactured motion over a bottom keeps volumes and follows from 
   check.that("volume", "The exact motion conserves volumes: det F = 1.", "largest det F - 1", {volume.value()},
              Roundoff{100, 4, "products of three of some tens of roundings each"});
   check.that("walls", "The distance of the exact motion from walls and bed is zero to round-off.",
-             "largest distance from them", {walls.value()}, Roundoff{20, 2, "some twenty roundings of places up to 2"});
-  const Bound bound{
-      .limit = 2e-8,
-      .reason =
-          "h^6/140 of a seventh derivative, some 4^7 of functions of order 1: 8e-9, in two terms; a term of the "
-          "pressure forgotten or a wrong sign makes 1e-2"};
+             "largest distance from them", {walls.value()},
+             Roundoff{20, 2, "some twenty roundings of positions up to 2"});
+  const Bound bound{.limit = 2e-8,
+                    .reason =
+                        "h^6/140 of a seventh derivative, some 4^7 of functions of order 1: 8e-9, in two terms; a "
+                        "missing term of the pressure or a wrong sign makes 1e-2"};
   check.that("velocity", "Velocities of the exact motion are the rates of its positions.",
              "largest difference from that by differences", {velocity.value()}, bound);
   check.that("force", "The force over the acceleration is the gradient of the pressure within 2e-8.",
              "largest difference by differences", {balance.value()}, bound);
 }
 
-TEST_CASE("hexahedra over an uneven bottom are of second order against a manufactured motion", "[manufactured][full]") {
+TEST_CASE("hexahedra over an uneven bottom are second-order accurate against a manufactured motion",
+          "[manufactured][full]") {
   Check check(
       "lagrangian_mesh_3d_manufactured", "Hexahedra: manufactured motion over an uneven bottom",
       "Water 1 deep over a bottom bent along both axes, between walls 2 apart each way, follows a prescribed motion "
       "under the body force that sustains it: columns are sheared along x and along y, the bottom's nodes slide on it "
-      "by up to 0.1. $n^3$ cells, steps of some half of the height of a cell, until $t = 0.6$; root mean squares. A "
-      "node of the surface, of the bottom or of a wall feels the pressure gradient half a cell inside and slips along "
-      "it to first order, in a layer of one cell, which the pressure there feels. Everything else is of second order.",
+      "by up to 0.1. $n^3$ cells, steps of about half the height of a cell, until $t = 0.6$; root mean squares. A node "
+      "of the surface, of the bottom or of a wall feels the pressure gradient half a cell inside and slips along it to "
+      "first order, in a layer of one cell, which the pressure there feels. Everything else is second-order accurate.",
       source);
   check.source(source);
   refine(check, {"height of a cell", widths(1, {16, 20, 24, 32, 40})}, quantities, [](double height) {
@@ -199,7 +201,7 @@ TEST_CASE("hexahedra over an uneven bottom are of second order against a manufac
   });
 }
 
-TEST_CASE("hexahedra over an uneven bottom are of second order in time alone", "[manufactured]") {
+TEST_CASE("hexahedra over an uneven bottom are second-order accurate in time alone", "[manufactured]") {
   Check check("lagrangian_mesh_3d_manufactured_time", "Hexahedra: manufactured motion, order in time",
               "The same motion on $6^3$ cells with 8 to 64 steps, against 512 steps on the same cells: errors of time "
               "alone, with the bottom's nodes among them.",

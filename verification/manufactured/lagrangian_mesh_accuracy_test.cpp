@@ -90,8 +90,8 @@ TEST_CASE("a free patch of fluid: errors of the integrators", "[manufactured]") 
 
 TEST_CASE("sloshing water: errors of the integrators", "[manufactured]") {
   Check check("lagrangian_mesh_sloshing_accuracy", "Sloshing on a Lagrangian mesh: errors of the integrators",
-              "Water in a box 6 depths long, 16 x 4 cells, is released with a surface of $0.1\\cos(\\pi x/6)$. Errors "
-              "of a coordinate at t = 8, about two thirds of a period, against RK4 with 2560 steps.",
+              "Water in a box 6 h long, 16 x 4 cells, is released with a surface of $0.1\\cos(\\pi x/6)$. Errors of a "
+              "coordinate at t = 8, about two thirds of a period, against RK4 with 2560 steps.",
               source);
   std::vector<std::pair<Integrator, std::vector<int>>> all;
   for (const Integrator integrator : {Integrator::one_step, Integrator::triple_jump, Integrator::conservative,

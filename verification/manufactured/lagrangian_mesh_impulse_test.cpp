@@ -52,13 +52,13 @@ Errors errors_of(const exact::SolitaryWave& wave, long rows) {
 }
 
 TEST_CASE("an impulse on the surface starts the potential flow of an exact wave", "[manufactured]") {
-  Check check(
-      "lagrangian_mesh_impulse", "A mesh set into potential flow by an impulse on its surface",
-      "An impulsive pressure, minus the potential of a solitary wave of 0.3 depths on its surface, acts on meshes of 4 "
-      "to 32 rows at rest. In the lower half the velocities are the wave's to second order, and so is the energy. At "
-      "the surface they are so to first order only: a surface node feels the pressure half a cell below. This is what "
-      "the mesh takes for potential flow; nodes started with the exact velocities slide over the row beneath for ever.",
-      source);
+  Check check("lagrangian_mesh_impulse", "A mesh set into potential flow by an impulse on its surface",
+              "An impulsive pressure, minus the potential of a solitary wave of H/h = 0.3 on its surface, acts on "
+              "meshes of 4 to 32 rows at rest. In the lower half velocities and energy converge to the wave's at "
+              "second order; at the surface velocities converge at first order only, because the pressure acts on a "
+              "surface node half a cell below. This is the potential flow of the mesh; nodes started with the exact "
+              "velocities slide over the row beneath indefinitely.",
+              source);
   const exact::SolitaryWave wave(0.3);
   const Order second{2, 0.2, "smooth wave; the coarsest mesh has four rows"};
   Largest rates;
@@ -66,7 +66,7 @@ TEST_CASE("an impulse on the surface starts the potential flow of an exact wave"
          {{"lower-half", "Velocities in the lower half agree with the wave, to second order.", second},
           {"energy", "The kinetic energy after the impulse converges at second order.", second},
           {"surface",
-           "Velocities at the surface are so to first order.",
+           "Velocities at the surface converge at first order.",
            {1, 0.2, "a surface node feels the pressure half a cell below"}}},
          [&](double height) {
            const Errors errors = errors_of(wave, std::lround(1 / height));

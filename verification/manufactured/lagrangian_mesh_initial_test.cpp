@@ -158,16 +158,16 @@ void check_piece(Check& check, const std::string& id, const std::string& name, c
          });
   check.holds(id + "-columns: " + name + ": the columns hold equal areas of water.", {unequal.value()},
               Roundoff{10, static_cast<double>(32 * columns_per_row),
-                       "both ends of a column are rounded places, up to the tank's length, that is as many columns' "
+                       "both ends of a column are rounded positions, up to the tank's length, that is as many columns' "
                        "widths as there are"});
 }
 
-TEST_CASE("first data of a mesh are those of the exact wave, to second order", "[manufactured]") {
+TEST_CASE("initial data of a mesh converge to the exact wave at second order", "[manufactured]") {
   Check check("lagrangian_mesh_initial", "First data of the two-dimensional mesh",
               "Surface and velocities of an exact solitary wave and of a wavelength of an exact Stokes wave between "
               "sides that move with the water, on meshes of 4 to 32 rows. Columns hold equal areas of water to "
-              "round-off. The polygons' area, the energies after the projection on constant areas, and what the "
-              "projection changes converge with second order to the integrals of the waves.",
+              "round-off. The polygons' area, the energies after the projection on constant areas, and the changes by "
+              "the projection converge at second order to the integrals of the waves.",
               source);
   const exact::SolitaryWave solitary(0.3);
   check_piece(check, "solitary", "Solitary wave, A = 0.3", solitary_piece(solitary), 1, 20);

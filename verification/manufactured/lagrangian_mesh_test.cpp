@@ -32,10 +32,10 @@ void check_orders(Check& check, const std::string& id, const std::string& scheme
         {2, 0.2, "second order, and first order at the corners, whose influence decays along the edge"}},
        {id + "-position",
         scheme + ": the rms error of all node positions converges at order 1.5.",
-        {1.5, 0.1, "errors of first order in a layer of one cell"}},
+        {1.5, 0.1, "first-order errors in a layer of one cell"}},
        {id + "-slip",
         scheme + ": surface nodes slip along the surface to first order.",
-        {1, 0.1, "slip of half a cell's pressure gradient; the next term is of second order"}}},
+        {1, 0.1, "slip of half a cell's pressure gradient; the next term is second-order accurate"}}},
       [&](double width) {
         const auto e = validation::double_shear_errors(
             {.n = cells_of(2, width), .scheme = {.stepping = stepping}, .distortion = distortion});
@@ -43,14 +43,14 @@ void check_orders(Check& check, const std::string& id, const std::string& scheme
       });
 }
 
-TEST_CASE("the Lagrangian mesh is of second order in the interior, in pressure and in the surface's shape",
+TEST_CASE("the Lagrangian mesh is second-order accurate in the interior, in pressure and in the surface's shape",
           "[manufactured]") {
   Check check(
       "lagrangian_mesh_manufactured", "Two-dimensional Lagrangian mesh: manufactured motion of a free square",
       "Two shears, one after the other, move the square $|X|, |Y| \\le 1$ by a body force, with a free surface all "
       "around; $t = 1$, steps of a fifth of a cell. A surface node feels the pressure gradient half a cell below the "
       "surface and slips along it to first order; in a layer of one cell that makes order 1.5 in the root mean square. "
-      "Everything else is of second order. The distorted mesh is displaced within the square by up to 0.12.",
+      "Everything else is second-order accurate. The distorted mesh is displaced within the square by up to 0.12.",
       source);
   check_orders(check, "one-step", "one-step scheme", Stepping::one_step, 0);
   check_orders(check, "conservative", "conservative scheme", Stepping::conservative, 0);

@@ -42,7 +42,7 @@ double error(std::size_t n) {
   return std::sqrt(squares / static_cast<double>(mesh.nodes()));
 }
 
-TEST_CASE("a remap of the mesh in the vertical plane is of third order", "[manufactured]") {
+TEST_CASE("a remap of the mesh in the vertical plane is third-order accurate", "[manufactured]") {
   Check check("mesh_remap_order", "Remap of the two-dimensional mesh: order",
               "A patch of sides $\\pi$ with smooth velocities, whose n x n equal cells are exchanged for others: nodes "
               "move by up to 0.3 of a cell. Root mean square of the errors at the new nodes.",

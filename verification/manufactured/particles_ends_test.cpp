@@ -12,7 +12,7 @@ using namespace shallow_water_particles;
 
 constexpr double g = 9.81;
 
-TEST_CASE("friction slows a uniform stream as Manning's law says", "[manufactured]") {
+TEST_CASE("friction slows a uniform stream according to Manning's law", "[manufactured]") {
   Check check("particles_friction", "Uniform stream under friction",
               "A stream of uniform depth and velocity between free ends obeys $u' = -k u |u|$, $k = g n^2/h^{4/3}$, "
               "hence $u = u_0/(1 + k u_0 t)$. The error falls with the square of the step.",
@@ -26,7 +26,7 @@ TEST_CASE("friction slows a uniform stream as Manning's law says", "[manufacture
   refine(check, {.axis = "step", .sizes = widths(end, {40, 80, 160, 320, 640}), .floor = 1e-12},
          {{"order",
            "The velocity after four seconds is second-order in the step.",
-           {2, 0.1, "a scheme of second order for an ordinary differential equation"}}},
+           {2, 0.1, "a second-order scheme for an ordinary differential equation"}}},
          [&](double tau) {
            Forcing forcing;
            forcing.manning = manning;

@@ -108,19 +108,19 @@ TEST_CASE("a manufactured Lagrangian motion converges with second order", "[manu
               .that("momentum", "Momentum equals the impulses of walls and source to round-off.",
                     "momentum error [m^3/s]", {.value = flow.momentum_defect(), .resolution = "N = 320"},
                     Roundoff{6, flow.ledger().left_impulse.value(),
-                             "the books of the walls and of the source, their sum, and what is left of three numbers "
-                             "are rounded once, as large as the impulse of a wall, for sums are compensated; momenta "
-                             "of single particles are a thousandth of that"});
+                             "the recorded impulses of the walls and of the source, their sum, and the difference of "
+                             "three numbers are rounded once at the size of a wall's impulse, because sums are "
+                             "compensated; momenta of single particles are a thousandth of that"});
         }
         return std::array{edge, velocity};
       });
 }
 
-TEST_CASE("a planar surface in a parabolic bowl keeps its shoreline", "[manufactured]") {
+TEST_CASE("a planar surface in a parabolic bowl retains its shoreline", "[manufactured]") {
   Check check("particles_thacker", "Planar surface in a parabolic bowl",
               "All water moves alike, the shorelines run up and down the slope. A linear surface is reproduced exactly "
-              "in every particle including those at the shorelines, so what is left is the error in time: the step is "
-              "the leapfrog map of an oscillator, with the phase error $(\\omega\\tau)^2/24$. Over three periods that "
+              "in every particle including those at the shorelines, so the remaining error is in time: the step is the "
+              "leapfrog map of an oscillator, with the phase error $(\\omega\\tau)^2/24$. Over three periods that "
               "bounds the displacement by $a\\,(6\\pi)(\\omega\\tau)^2/24$ times the amplitude.",
               "Thacker, JFM 107 (1981) 499");
   const exact::Thacker exact(gravity, 1, 0.5, 4);

@@ -62,8 +62,8 @@ TEST_CASE("a wall is a mirror", "[manufactured]") {
   Check check("particles_mirror", "A wall and its mirror image",
               "Half a basin with a wall in the middle, and the whole, whose flow is symmetric: 200 steps of a smooth "
               "slosh over a level bed and over one with a hump. The two agree to round-off at all levels of the "
-              "method, for slopes and edge states at the wall are those of the mirror image. So does the half basin "
-              "that is carried along: its walls are pistons at 0.7 m/s, and everything but its motion is the same.");
+              "method, because slopes and edge states at the wall equal the mirror image's. The moving half basin "
+              "agrees likewise: its walls are pistons at 0.7 m/s, and everything but its motion is the same.");
   const Bed hump{[](double x) { return 0.2 * std::cos(x); }, [](double x) { return 0.2 * std::sin(x); }};
   constexpr int steps = 200;
   constexpr double tau = 0.01;
@@ -93,7 +93,7 @@ TEST_CASE("a wall is a mirror", "[manufactured]") {
       Particles carried = slosh(0, 20, speed);
       for (double& x : carried.edge) x -= speed * tau * steps;
       for (double& u : carried.velocity) u -= speed;
-      claim("A basin that is carried along behaves as one at rest.", difference_from_half(carried, half));
+      claim("The flow in a moving basin equals the flow in a basin at rest.", difference_from_half(carried, half));
     }
   }
 }
@@ -102,7 +102,7 @@ TEST_CASE("water that leaves through a section takes its mass and momentum along
   Check check("particles_outflow", "A fan through a fixed section",
               "Ritter's fan passes the section $x = 6$ at supercritical speed for half a second; its other end follows "
               "the water. Mass $\\int h u\\,dt$ and momentum $\\int (h u^2 + g h^2/2)\\,dt$ that have passed, against "
-              "their integrals. To the left the same, bit by bit but for the order of sums.",
+              "their integrals. To the left the same, bitwise identical except for the order of sums.",
               "Ritter (1892)");
   const double c0 = std::sqrt(g);
   using Gauss = boost::math::quadrature::gauss<double, 30>;
@@ -117,10 +117,10 @@ TEST_CASE("water that leaves through a section takes its mass and momentum along
         1.0, 1.5);
   };
   Worst asymmetry;
-  const Order second{2, 0.3, "second order in width and step: the state at a section is that of the middle of a step"};
+  const Order second{2, 0.3, "second order in width and step: the state at a section is taken at the middle of a step"};
   refine(check, {.axis = "width", .sizes = widths(6, {40, 80, 160, 320, 640}), .floor = 1e-12},
          {{"mass", "The error of the outflow mass converges at second order.", second},
-          {"momentum", "The momentum that has left is second-order in the particle spacing.", second}},
+          {"momentum", "The error of the outflowing momentum is second-order in the particle spacing.", second}},
          [&](double width) {
            const Outflow right = fan_through_section(cells_of(6, width), false);
            const Outflow left = fan_through_section(cells_of(6, width), true);
@@ -136,13 +136,13 @@ TEST_CASE("water that leaves through a section takes its mass and momentum along
           "a hundred rounded operations per step near the section, of numbers up to the momentum that has passed"});
 }
 
-TEST_CASE("a particle that a jump has left is in the state behind it", "[manufactured]") {
+TEST_CASE("a particle behind a discontinuity has the state behind it", "[manufactured]") {
   Check check("particles_hand_over", "A jump that leaves its particle",
-              "A particle of mass 0.7 holds a jump between two given states; its depth and its velocity are off those "
-              "of a single place of the jump, as between particles that are not uniform. The edge behind moves with "
-              "the water behind and bears its thrust; the one ahead gets the averages of the step in which the jump "
-              "leaves. After it the particle has the depth behind, by its volume, and the velocity behind, by its "
-              "momentum. For jumps to the right and to the left.");
+              "A particle of mass 0.7 contains a discontinuity between two given states; its depth and its velocity do "
+              "not belong to a single position of the discontinuity, as between non-uniform particles. The edge behind "
+              "moves with the water behind and bears its thrust; the one ahead gets the averages of the step in which "
+              "the discontinuity leaves. After it the particle has the depth behind, by its volume, and the velocity "
+              "behind, by its momentum. Discontinuities move to the right and to the left.");
   const State behind{2, shallow_water::velocity_change(g, 2, 1)};
   const State ahead{1, 0};
   const double mass = 0.7;
@@ -170,13 +170,12 @@ TEST_CASE("a particle that a jump has left is in the state behind it", "[manufac
   }
 }
 
-TEST_CASE("no jump between two particles is overlooked", "[manufactured]") {
-  Check check(
-      "particles_suspects", "Where jumps are looked for",
-      "Ten thousand pairs of states that approach each other, with depths up to a tenth apart. Wherever the depth "
-      "of two waves between them exceeds the threshold the particle is a suspect; and where depths and velocities "
-      "account for less than a quarter of it, the particle is none.",
-      source);
+TEST_CASE("every discontinuity between two particles is found", "[manufactured]") {
+  Check check("particles_suspects", "Where jumps are looked for",
+              "Ten thousand pairs of states that approach each other, with depths up to a tenth apart. Wherever the "
+              "depth of two waves between them exceeds the threshold the particle is a candidate; where depths and "
+              "velocities account for less than a quarter of it, it is not.",
+              source);
   Noise noise(4);
   Count missed, needless;
   long jumps = 0, calm = 0;
@@ -202,11 +201,12 @@ TEST_CASE("no jump between two particles is overlooked", "[manufactured]") {
   check.holds("The number of missed particles with a jump is zero.", {missed.value()},
               Bound{0, "a necessary condition"});
   check.holds("The number of examined particles in calm water is zero.", {needless.value()},
-              Bound{0, "either half of a rise of two per cent comes from the depths or from the velocities"});
+              Bound{0, "either half of a rise of 2 % comes from the depths or from the velocities"});
   CHECK((jumps > 1000 && calm > 1000));
 }
 
-TEST_CASE("every stretch of water has a particle, and two jumps that have met say so", "[manufactured]") {
+TEST_CASE("every stretch of water has a particle, and two discontinuities that have met are reported",
+          "[manufactured]") {
   const Particles thin = uniform_stretches({{0, 1, {1, 0}}, {1, 1 + 1e-6, {2, 0}}}, 10);
   CHECK((thin.size() == 10 && thin.edge[9] == 1));
   CHECK(thin.depth(9) == Approx(2));
@@ -237,7 +237,7 @@ TEST_CASE("the profile of a front has the mass and momentum of its particle", "[
   Check check("particles_tip_profile", "The profile of a front particle",
               "Depth $h_e s^\\pi$ and velocity $u_f - 2 \\sqrt{g h}$ for $0 < s < 1$, integrated in closed form: the "
               "mean depth is $h_e/(\\pi + 1)$, the momentum $h_e u_f/(\\pi + 1) - 2 \\sqrt{g} h_e^{3/2}/(1.5 \\pi + "
-              "1)$. Fronts from that of a rectangle to that of a parabola.");
+              "1)$. Fronts vary from a rectangle's to a parabola's.");
   const State mean{0.3, 1.2};
   const double c = shallow_water::celerity(g, mean.depth);
   Worst masses, momenta;
@@ -254,7 +254,7 @@ TEST_CASE("the profile of a front has the mass and momentum of its particle", "[
         Roundoff{100, 2, "the exponent is found to a rounding by halving; momenta up to 2, in some thirty operations"});
   };
   claim("The mass under the tip's profile equals the particle's mass.", masses.value());
-  claim("The momentum that has left is second-order in the particle spacing.", momenta.value());
+  claim("The error of the outflowing momentum is second-order in the particle spacing.", momenta.value());
 }
 
 }  // namespace seiche::verification::particles_parts_test

@@ -83,11 +83,11 @@ std::array<double, 3> cross(const std::array<double, 3>& a, const std::array<dou
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-TEST_CASE("cells of the 2DH model hold the water between surface and bottom", "[manufactured]") {
+TEST_CASE("volumes of cells of the 2DH model are the water between surface and bottom", "[manufactured]") {
   Check check("volumes_2dh", "Two-dimensional horizontal model: volumes over a bottom of degree four",
               "Volumes are integrals around the cells, by Gauss's rule of three points on each side, exact for bottoms "
               "of degree four. They are compared with integrals over the cells, by products of rules of seven points. "
-              "8 x 8 cells off a rectangle at random.",
+              "8 x 8 cells perturbed at random from a rectangle.",
               source);
   Lattice lattice = jittered(rectangular_lattice({.end = 8,
                                                   .north = 8,
@@ -108,11 +108,11 @@ TEST_CASE("cells of the 2DH model hold the water between surface and bottom", "[
                       "a side of about one"});
 }
 
-TEST_CASE("a step over an uneven bottom carries velocities without a change of energy", "[manufactured]") {
+TEST_CASE("a step over an uneven bottom transfers velocities without a change of energy", "[manufactured]") {
   Check check("carried_velocities_2dh", "Two-dimensional horizontal model: velocities carried to another tangent plane",
-              "The bottom's normal under a marker changes in a step by 0.1 to 0.4, much more than in a run. Free "
-              "markers are turned by the smallest rotation that takes one normal to the other: the parts along both, "
-              "and along the axis of the rotation, are kept. Markers at a slanted wall keep their energy.");
+              "The bottom's normal under a node changes in a step by 0.1 to 0.4, much more than in a run. Free nodes "
+              "are turned by the smallest rotation that takes one normal to the other: the components along both, and "
+              "along the axis of the rotation, are retained. Nodes at a slanted wall conserve their energy.");
   Model model(slanted_lattice());
   mechanics::State state = model.state();
   const std::size_t n = model.nodes();
@@ -164,9 +164,9 @@ TEST_CASE("a step over an uneven bottom carries velocities without a change of e
   claim("The velocity component through the wall is zero.", through_wall.value());
 }
 
-TEST_CASE("markers on a shore have a sixth of their cells", "[manufactured]") {
+TEST_CASE("nodes on a shore have the mass of a sixth of their cells", "[manufactured]") {
   Check check("shore_masses_2dh", "Two-dimensional horizontal model: masses on a shore",
-              "A marker on the shoreline has the mass that linear elements give it, a sixth of each of its cells; all "
+              "A node on the shoreline has the mass that linear elements give it, a sixth of each of its cells; all "
               "others have a quarter. A canal between walls, 6 x 2 cells, shores at both ends.",
               "linear elements; shoreline.hpp");
   Lattice lattice = rectangular_lattice({.begin = -10, .end = 10, .south = 0, .north = 2, .columns = 6, .rows = 2});
@@ -192,10 +192,10 @@ TEST_CASE("markers on a shore have a sixth of their cells", "[manufactured]") {
 
 TEST_CASE("the bottom's energy under a moving shoreline", "[manufactured]") {
   Check check("shore_moment_2dh", "Two-dimensional horizontal model: the bottom's energy at a shoreline",
-              "int b^2/2 over what the markers of a shore have flooded since the beginning, b linear along each edge. "
+              "int b^2/2 over the area flooded by the nodes of a shore since the beginning, b linear along each edge. "
               "A canal 2 wide, 3 x 2 cells, its shore in the east. Over a plane bottom a shore that moves by d as a "
-              "whole has flooded a wedge: 2 s^2 d^3/6. Over a bowl, with markers that move each their own way, the "
-              "integral over both parameters is taken by Gauss's rule of 7 x 7 points.",
+              "whole has flooded a wedge: 2 s^2 d^3/6. Over a bowl, with nodes that move independently, the integral "
+              "over both parameters is taken by Gauss's rule of 7 x 7 points.",
               "closed form");
   const auto lattice_over = [](std::vector<PolynomialBottom::Term> terms) {
     Lattice lattice = rectangular_lattice({.begin = 0, .end = 3, .south = 0, .north = 2, .columns = 3, .rows = 2});
@@ -258,16 +258,16 @@ TEST_CASE("the bottom's energy under a moving shoreline", "[manufactured]") {
   double work = 0;
   for (std::size_t k = 0; k < 2 * nodes; ++k) work += forces[k] * (moved[k] - first[k]);
   check.from("discrete gradient; shoreline.hpp")
-      .that("work", "The mean force over a straight way does the work that the moment gains.",
+      .that("work", "The work of the mean force along a straight path equals the gain of the moment.",
             "difference of work and moment", {work - exact}, rounding);
 }
 
 TEST_CASE("a moving window appends still water of its own depth", "[manufactured]") {
   Check check("window_cells_2dh", "Two-dimensional horizontal model: the column that a window appends",
-              "A lattice whose columns widen to the east, over a level bottom 2 deep and over an inclined one, is "
-              "shifted by one column. The new cells hold still water as wide as the last column was, at rest; "
-              "constraints are met, and masses are those of the cells. Over a level bottom a new cell is the copy of "
-              "its neighbour: only the inclined one tells them apart.");
+              "A mesh whose columns widen to the east, over a level bottom 2 deep and over an inclined one, is shifted "
+              "by one column. The new cells hold still water as wide as the last column was, at rest; constraints are "
+              "met, and masses agree with the cells. Over a level bottom a new cell is the copy of its neighbour: only "
+              "the inclined bottom distinguishes them.");
   for (const bool inclined : {false, true}) {
     Lattice lattice = rectangular_lattice(
         {.end = 4, .north = 3, .columns = 4, .rows = 3, .sides = {.west = plan_lattice::HeldSide{}}, .depth = 2});
@@ -292,7 +292,7 @@ TEST_CASE("a moving window appends still water of its own depth", "[manufactured
     const std::string where = inclined ? "inclined" : "level";
     const auto claim = [&](const std::string& text, double value) {
       check.holds(where + "-" + text, {value},
-                  Roundoff{60, 20, "volumes from places up to 7 deep and wide, in some sixty operations"});
+                  Roundoff{60, 20, "volumes from positions up to 7 deep and wide, in some sixty operations"});
     };
     claim("A new cell holds its width times the depth in its middle.", volume.value());
     claim("The shifted state meets its constraints.", defect.value());

@@ -57,7 +57,7 @@ Errors errors(std::size_t n) {
   return {std::sqrt(sums.elevation / nodes), std::sqrt(sums.velocity / nodes)};
 }
 
-TEST_CASE("a remap of the 2DH model is of third order", "[manufactured]") {
+TEST_CASE("a remap of the 2DH model is third-order accurate", "[manufactured]") {
   Check check("remap_order_2dh", "Remap of the two-dimensional horizontal model: order",
               "A basin of sides $\\pi$ with smooth waves and velocities, whose n x n equal cells are exchanged for "
               "others: nodes move by up to 0.3 of a cell. Root mean squares of the errors at the new nodes.",

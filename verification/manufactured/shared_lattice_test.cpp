@@ -20,7 +20,7 @@ using plan_lattice::Shape;
 namespace plan = dispersive_shallow_water_2d;
 namespace mesh = lagrangian_mesh_3d;
 
-const std::string source = "decomposition of the lattice; distributed/decomposition.hpp";
+const std::string source = "decomposition of the mesh; distributed/decomposition.hpp";
 constexpr Shape whole{8, 6};
 
 /// Cells from a first to before a last column and row: those that a block owns, and with a ring around them.
@@ -220,21 +220,20 @@ void shift_blocks(Check& check, const std::string& id, const std::string& text, 
     });
   }
   const Roundoff rounding{
-      .operations = 60, .scale = 10, .reason = "places up to 12 and volumes of one, in some sixty operations"};
+      .operations = 60, .scale = 10, .reason = "positions up to 12 and volumes of one, in some sixty operations"};
   const auto claim = [&](const std::string& of, const std::string& what, const Worst& worst) {
     check.holds(id + "-" + of + ": " + text + ": " + what, {worst.value()}, rounding);
   };
-  claim("state", "places, velocities and multipliers agree with the whole, copies too.", state);
-  claim("first", "first places, which masses and new columns come from, likewise.", first);
+  claim("state", "positions, velocities and multipliers agree with the whole, copies too.", state);
+  claim("first", "first positions, which masses and new columns come from, likewise.", first);
   claim("volumes", "volumes of cells likewise.", volume);
   claim("masses", "masses of the nodes around a block's own cells, which their coefficients need, likewise.", mass);
 }
 
-TEST_CASE("blocks of a lattice are shifted by a window as the whole is", "[manufactured]") {
-  Check check("shared_lattice_window", "A window that shifts the blocks of a lattice",
-              "A lattice of 8 x 6 cells in four blocks, each with a ring of its neighbours' cells, is shifted by three "
-              "columns; after each shift copies get the numbers of those who own them. Nothing tells the blocks from "
-              "the whole.");
+TEST_CASE("blocks of a mesh are shifted by a window as the whole is", "[manufactured]") {
+  Check check("shared_lattice_window", "A window that shifts the blocks of a mesh",
+              "A mesh of 8 x 6 cells in four blocks, each with a ring of its neighbours' cells, is shifted by three "
+              "columns; after each shift copies get the values of their owners. The blocks must agree with the whole.");
   shift_blocks<plan::Model>(check, "plan", "The 2DH model", water());
   plan::Lattice inclined = water();
   inclined.bottom = std::make_shared<PolynomialBottom>(
@@ -243,9 +242,9 @@ TEST_CASE("blocks of a lattice are shifted by a window as the whole is", "[manuf
   shift_blocks<mesh::Model>(check, "hexahedra", "Layers of hexahedra", hexahedra());
 }
 
-TEST_CASE("the potential energies of blocks add up to that of the whole", "[manufactured]") {
-  Check check("shared_lattice_energy", "The potential energy of the blocks of a lattice",
-              "Water in a canal between two shorelines, with improved dispersion, moved from its first places. Each "
+TEST_CASE("the potential energies of blocks add up to the energy of the whole", "[manufactured]") {
+  Check check("shared_lattice_energy", "The potential energy of the blocks of a mesh",
+              "Water in a canal between two shorelines, with improved dispersion, moved from its first positions. Each "
               "block counts the cells that it owns: their surfaces, the edges of the shore beside them, the slopes of "
               "their surfaces.",
               source);

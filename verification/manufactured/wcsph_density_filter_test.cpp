@@ -41,8 +41,8 @@ TEST_CASE("the density filter is moving least squares, which reproduces linear f
   Check check("wcsph_density_filter", "Density filter",
               "Moving least squares of first order, written as sums over all pairs, reproduces a linear density on a "
               "disordered layer with a free surface, corners and a floor, of unequal masses, to round-off. The flow's "
-              "filter gives the same densities as these sums from the state after one step, walls left alone, and "
-              "steps between filters are steps without one.",
+              "filter gives the same densities as these sums from the state after one step, walls excluded, and steps "
+              "between filters equal steps without a filter.",
               source);
   const Settings settings{.gravity = 0, .sound_speed = 20, .viscosity = ArtificialViscosity{0.1}};
   Particles layer = disturbed_layer();
@@ -55,7 +55,7 @@ TEST_CASE("the density filter is moving least squares, which reproduces linear f
   check.that("linear", "A linear density is reproduced by the filter.", "largest relative error", {largest.value()},
              Roundoff{80, DirectSums(layer, spacing, settings).filter_cancellation(),
                       "6 sums of some 10 roundings, and 20 of a 3 x 3 solution; the terms are larger than their sum by "
-                      "what cancels in moving least squares, most at the corners of the surface"});
+                      "the cancellation in moving least squares, most at the corners of the surface"});
   for (const KernelName kernel : {KernelName::cubic_spline, KernelName::wendland_c2}) {
     for (const int lanes : {2, 4, 8}) {
       Settings plain = settings;
@@ -79,8 +79,8 @@ TEST_CASE("the density filter is moving least squares, which reproduces linear f
       check.holds(fmt::format("The filter of the flow is moving least squares ({}, {} lanes).", name_of(kernel), lanes),
                   {relative_difference(found, expected)},
                   Roundoff{160, DirectSums(start, spacing, plain).filter_cancellation(),
-                           "as for the linear density, in both ways of summing; the particles have moved by a fiftieth "
-                           "of dx since their cancellation was determined"});
+                           "as for the linear density, in both ways of summing; the particles have moved by 0.02 dx "
+                           "since their cancellation was determined"});
       Largest change;
       const Particles& p = without.particles();
       const std::vector<double> before = sorted_back(p, p.density);

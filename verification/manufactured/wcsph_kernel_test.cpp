@@ -45,8 +45,8 @@ void check_moments(Check& check, const std::string& id, const std::string& name,
     const Roundoff limit{.operations = 40,
                          .scale = 1,
                          .reason =
-                             "30 partial sums of up to 1 and some 10 roundings of factors that all points share; those "
-                             "of single points average out",
+                             "30 partial sums of up to 1 and some 10 roundings of factors that all points share; "
+                             "roundings of single points average out",
                          .expected = expected};
     const std::string q = power == 0 ? "1" : "q^" + std::to_string(power);
     check.holds(id + "-moment-" + std::to_string(power) + ": The " + name + " has the moment of " + q +
@@ -164,7 +164,7 @@ TEST_CASE("pressure, sound speed and elastic energy of Tait's fluid belong toget
   CHECK(std::abs(water.stiffness() - stiffness) < 1e-15 * 8 * stiffness);
   const double depth = 0.114;
   check.from("P = rho_0 g depth")
-      .that("hydrostatic", "Still water of the hydrostatic density carries its own weight.", "P(depth) [Pa]",
+      .that("hydrostatic", "Still water of the hydrostatic density is in equilibrium.", "P(depth) [Pa]",
             {water.pressure(water.hydrostatic_density(9.81, depth))},
             Roundoff{30, stiffness, "P is a difference of two terms near B", 1000 * 9.81 * depth});
   CHECK_THROWS_AS(water.hydrostatic_density(9.81, 1.001 * stiffness / 9810), std::invalid_argument);

@@ -66,7 +66,7 @@ Errors errors(std::size_t n, double jitter, double smoothing) {
 
 const std::vector<double> spacings = widths(1, {32, 48, 64, 96, 128});
 
-TEST_CASE("on a square lattice operators tend to their lattice sums with second order", "[manufactured]") {
+TEST_CASE("on a square lattice operators converge to their lattice sums at second order", "[manufactured]") {
   Check check("wcsph_operators_lattice", "Operators of particles on a square lattice",
               "$f = \\sin 2\\pi x\\,\\cos 2\\pi z$ on the periodic unit square, cubic spline, $h/dx = 1.3$. A plane "
               "wave remains one: each operator multiplies it by a factor, which tends with order 2 not to 1 but to the "
@@ -99,11 +99,11 @@ TEST_CASE("on a square lattice operators tend to their lattice sums with second 
       });
 }
 
-TEST_CASE("on disordered particles only moving least squares keeps its order", "[manufactured]") {
+TEST_CASE("on disordered particles only moving least squares retains its order", "[manufactured]") {
   Check check("wcsph_operators_disordered", "Operators of particles on disordered particles",
               "The same with every particle moved by up to 0.2 dx. At fixed $h/dx$ interpolation and the difference "
               "gradient have order 0, the symmetric gradient, which does not vanish for a constant, and the laminar "
-              "operator order -1; moving least squares keeps order 2. A claim of second order at fixed $h/dx$ on "
+              "operator order -1; moving least squares retains order 2. A claim of second order at fixed $h/dx$ on "
               "disordered particles would be wrong.",
               source);
   const auto about = [](double theory) {

@@ -82,7 +82,7 @@ std::vector<Errors> judge(Check& check, const std::vector<Run>& runs) {
     claim("relative change of the energy", error.energy,
           {8.5e-4, "the energy of compression at first, over the kinetic one"});
     claim("|sum m u|/sum m |u|", error.momentum,
-          {2e-16, "one rounding: those of thousands of particles are independent"});
+          {2e-16, "one rounding: roundings of thousands of particles are independent"});
     claim("angular momentum over sum m |u| R", error.turning, {2e-16, "one rounding; the patch is symmetric"});
     const Particles& p = flow.particles();
     auto& panel = figure.panel({.x = "x", .y = "z", .title = run.name, .equal_aspect = true});

@@ -119,7 +119,7 @@ Decay run(const Vortices& vortices, Run wanted) {
 void draw(Check& check, const std::string& caption, const Vortices& vortices,
           const std::vector<std::pair<std::string, Decay>>& runs) {
   auto& panel = check.figure("decay", "Decay of the vortices", caption)
-                    .panel({.x = "t/decay time", .y = "kinetic energy over that of the beginning", .log_y = true});
+                    .panel({.x = "t/decay time", .y = "kinetic energy over its initial value", .log_y = true});
   std::vector<double> scaled, exact;
   for (const double t : runs.front().second.time) {
     scaled.push_back(t * vortices.rate());
@@ -148,26 +148,25 @@ void judge_trace(Check& check, const Vortices& vortices, const Decay& coarse, co
     return rate_on_lattice(n, smoothing) - decay.rate_over(rate);
   };
   check.from(source).that("strain-spacing", "The later energy loss does not depend on the spacing.",
-                          "rate of the lattice less that of the run, N = 100 over N = 50",
+                          "rate of the lattice minus the rate of the run, N = 100 over N = 50",
                           {loss(fine, 100, 1.3) / loss(coarse, 50, 1.3)},
-                          Bound{0.25, "an error of first order would halve, to 0.5: half of that way", 1});
+                          Bound{0.25, "a first-order error would halve, to 0.5: half of that way", 1});
   const Decay wide = run(vortices, {50, 0, {.smoothing = 2}});
   check.from(source).that("strain-neighbours",
                           "The loss by strain with more neighbours is at most half the loss with h = 1.3 dx.",
-                          "rate of the lattice less that of the run, h = 2 dx over h = 1.3 dx",
+                          "rate of the lattice minus the rate of the run, h = 2 dx over h = 1.3 dx",
                           {.value = loss(wide, 50, 2) / loss(coarse, 50, 1.3), .resolution = "N = 50"},
-                          Bound{0.5, "what names the cause takes more than half of it away"});
+                          Bound{0.5, "removing the named cause removes more than half of the error"});
 }
 
 TEST_CASE("laminar viscosity makes vortices decay at the right rate", "[manufactured]") {
-  Check check(
-      "wcsph_taylor_green", "Taylor-Green vortices at Reynolds number 10",
-      "$u = (-\\cos kx \\sin kz,\\ \\sin kx \\cos kz)\\,e^{-2\\nu k^2 t}$ on the periodic unit square, $\\nu = 0.1$, "
-      "$c_0 = 10$, laminar term alone, no smoothed motion. Rate of decay of the projection on the exact mode over one "
-      "decay time.\n\nTwo things make it slow. At the start it is that of the operator on the lattice, a sum that is "
-      "known. Then the flow strains the lattice, and 21 neighbours of a strained lattice give the second derivative 1 "
-      "% too small: in the mean over the decay time, with any spacing, for the strain does not know the spacing. With "
-      "a wider kernel it is gone.");
+  Check check("wcsph_taylor_green", "Taylor-Green vortices at Reynolds number 10",
+              "$u = (-\\cos kx \\sin kz,\\ \\sin kx \\cos kz)\\,e^{-2\\nu k^2 t}$ on the periodic unit square, $\\nu = "
+              "0.1$, $c_0 = 10$, laminar term alone, no smoothed motion. Rate of decay of the projection on the exact "
+              "mode over one decay time.\n\nTwo effects reduce it. At the start it is the rate of the operator on the "
+              "lattice, a known sum. Then the flow strains the lattice, and 21 neighbours of a strained lattice give "
+              "the second derivative 1 % too small: in the mean over the decay time, at any spacing, because the "
+              "strain does not depend on the spacing. With a wider kernel the deficit vanishes.");
   const Vortices vortices{0.1};
   struct Row {
     std::string id, name;
@@ -186,12 +185,12 @@ TEST_CASE("laminar viscosity makes vortices decay at the right rate", "[manufact
   draw(check, "Reynolds number 10: kinetic energy of particles.", vortices, runs);
 }
 
-TEST_CASE("particle shifting keeps vortices at a Reynolds number where the plain scheme loses them",
+TEST_CASE("particle shifting preserves vortices at a Reynolds number where the plain scheme loses them",
           "[manufactured][full]") {
   Check check("wcsph_particle_shifting", "Taylor-Green vortices at Reynolds number 100: particle shifting",
               "At Re = 100 the flow lines up particles along the stagnation streamlines and the lattice breaks: the "
-              "plain scheme loses its energy too fast, with the cubic spline by a factor. Shifting against the "
-              "gradient of concentration keeps the particles uniform. Wendland kernel, h = 2 dx, N = 40.");
+              "plain scheme loses its energy too fast, with the cubic spline several times too fast. Shifting against "
+              "the gradient of concentration keeps the particles uniform. Wendland kernel, h = 2 dx, N = 40.");
   const std::string shifting =
       "Lind, Xu, Stansby and Rogers, J. Comput. Phys. 231 (2012) 1499; Sun, Colagrossi, Marrone and Zhang, Comput. "
       "Methods Appl. Mech. Eng. 315 (2017) 25";
@@ -211,15 +210,15 @@ TEST_CASE("particle shifting keeps vortices at a Reynolds number where the plain
              {.value = energy_rate(shifted), .resolution = fmt::format("N = 40, {} steps", shifted.steps)},
              Bound{0.05,
                    "published decays with shifting agree with the exact one to the width of their lines; the plain "
-                   "scheme is wrong by a third to a factor",
+                   "scheme is wrong by a third or more",
                    1});
   check.that("velocity", "The velocity field agrees with the exact vortices.",
              "L2 of the velocity error over the initial speed, after one decay time",
              {.value = shifted.velocity_error, .resolution = fmt::format("N = 40, {} steps", shifted.steps)},
-             Bound{0.02, "as at Re = 10, where the plain scheme keeps the vortices"});
+             Bound{0.02, "as at Re = 10, where the plain scheme preserves the vortices"});
   check.that("better", "The velocity error with shifting is at most a quarter, 0.25, of the error of the plain scheme.",
              "velocity error with shifting over that without", {shifted.velocity_error / plain.velocity_error},
-             Bound{0.25, "a cure takes away more than three quarters of what it is for"});
+             Bound{0.25, "a remedy removes more than three quarters of the error it addresses"});
   draw(check, "Reynolds number 100: kinetic energy of particles.", vortices,
        {{"cubic spline, plain", narrow}, {"Wendland, plain", plain}, {"Wendland with shifting", shifted}});
 }

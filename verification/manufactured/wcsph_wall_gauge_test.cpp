@@ -40,10 +40,10 @@ Flow with_pressure(double spacing, const Settings& settings, double along, doubl
 TEST_CASE("a gauge in a wall reads hydrostatic pressure, and the pressure of the water beside it", "[manufactured]") {
   Check check("wcsph_wall_gauge", "Pressure on a gauge in a wall",
               "A tank of water 1 m x 0.5 m with given pressures and a round gauge in its wall. Hydrostatic: the gauge "
-              "reads $\\rho_0 g$ times the depth of its middle. A pressure that rises along the wall: about a height "
-              "about which the lattice is symmetric its mean is that of the middle, to round-off. One that rises "
-              "towards the wall: read as far inside as the weights have their centre; half the spacing halves the "
-              "error. Where there is no water there is no pressure.",
+              "reads $\\rho_0 g$ times the depth of its middle. A pressure linear along the wall: about a height of "
+              "symmetry of the lattice its mean equals the value at the middle, to round-off. A pressure linear "
+              "towards the wall: the reading belongs to the centroid of the weights; halving the spacing halves the "
+              "error. Without water the pressure is zero.",
               source);
   const double spacing = 0.025;
   const double diameter = 0.02;
@@ -82,7 +82,7 @@ TEST_CASE("a gauge in a wall reads hydrostatic pressure, and the pressure of the
             "-0.424: the centre of half of the kernel, 2/pi int w q^2 dq/int w q dq; rows of the lattice at h/4, 3h/4, "
             "... add (1/24)(dx/h)^2 W_1(0)/(1/2) = 0.016 to its distance, W_1 the kernel's integral along the wall",
             -0.424});
-  check.that("order", "Half the spacing halves that error.", "error over that with twice the spacing",
+  check.that("order", "The error of the reading halves with the spacing.", "error over that with twice the spacing",
              {errors[1] / errors[0]}, Bound{0.01, "volumes m/rho differ by up to 5000 Pa over 1.6e6 Pa", 0.5});
 }
 

@@ -40,18 +40,18 @@ from seeded import BadFault, all_faults
 from together import Together
 
 ROOMS = {
-    "exact": ["solver/seiche/exact/"],
-    "linear": ["solver/seiche/linear/"],
+    "exact solutions": ["solver/seiche/exact/"],
+    "linear solvers": ["solver/seiche/linear/"],
     "mechanics": ["solver/seiche/mechanics/"],
-    "lattice models": ["solver/seiche/models/lagrangian_mesh", "solver/seiche/models/dispersive", "solver/seiche/plan_lattice/",
+    "mesh models": ["solver/seiche/models/lagrangian_mesh", "solver/seiche/models/dispersive", "solver/seiche/plan_lattice/",
                        "solver/seiche/lattice/"],
     "shallow water": ["solver/seiche/models/shallow_water", "solver/seiche/shallow_water/"],
     "particle models": ["solver/seiche/models/", "solver/seiche/free_lagrangian/"],
-    "geometry and io": ["solver/seiche/geometry/", "solver/seiche/io/", "solver/seiche/"],
-    "judge": ["reports/evidence/", "validation/case/", "verification/check."],
+    "geometry and files": ["solver/seiche/geometry/", "solver/seiche/io/", "solver/seiche/"],
+    "claims and cases": ["reports/evidence/", "validation/case/", "verification/check."],
     "scoring and readers": ["validation/scoring/", "validation/command/"],
     "instruments and studies": ["validation/instruments/", "validation/studies/", "validation/laboratory/"],
-    "renderer": ["reports/render/"],
+    "report": ["reports/render/"],
     "Python module": ["solver/python/"],
 }
 LEFT_OUT = re.compile(r"/(tests|distributed|benchmarks?)/")
@@ -228,7 +228,7 @@ class Judge:
 
 
 class Trials:
-    """Changes that were compiled together, each on the checks that come to it."""
+    """Changes that were compiled together, each on the checks of this code."""
 
     def __init__(self, judge, together, scratch, jobs):
         self.judge, self.together, self.scratch, self.jobs = judge, together, scratch, jobs
@@ -271,7 +271,7 @@ class Trials:
             ran, used = ran + 1, used + seconds
             if news := sorted(names - self.sound[check], key=lambda name: (name.startswith("test: "), name)):
                 return "killed", news[0], used
-        return "survived", f"{ran} of {len(checks)} checks that come to it", used
+        return "survived", f"{ran} of {len(checks)} checks of this code", used
 
 
 class Record:

@@ -10,7 +10,7 @@ namespace seiche::verification::finite_volume_lake_at_rest_test {
 
 using shallow_water_finite_volume::FiniteVolumeFlow;
 
-TEST_CASE("the peer scheme keeps a lake at rest on an uneven bed, with and without an island", "[rest]") {
+TEST_CASE("the comparison scheme keeps a lake at rest on an uneven bed, with and without an island", "[rest]") {
   Check check(
       "finite_volume_lake_at_rest", "Finite volumes: a lake at rest",
       "Bed $z = b\\,e^{-(x-5)^2} + 0.05 \\sin 3x$, surface at 0.8 m, 200 cells, 10 000 steps. With $b = 0.3$ the bed "

@@ -42,38 +42,36 @@ double highest_marker(const Flow& flow) {
   return highest.value();
 }
 
-TEST_CASE("free particles at rest over a flat bottom stay at rest", "[rest]") {
+TEST_CASE("Gauss-principle particles at rest over a flat bottom stay at rest", "[rest]") {
   Check check("gauss_particles_rest", "Gauss-principle particles at rest",
               "Still water of depth 1 in a periodic channel, rows of particles parallel to the surface. Over a flat "
-              "bottom gravity's part in the space is zero to round-off, on a lattice that stays and on one that is "
-              "shifted at random. Over an uneven bottom the sums over particles are no exact integrals: the water is "
-              "accelerated by O(n^-4) with n particles to a cell's side, and the penalty keeps what comes of it small.",
+              "bottom gravity's component in the space is zero to round-off, on a fixed grid and on one shifted at "
+              "random. Over an uneven bottom the sums over particles are no exact integrals: the water is accelerated "
+              "by O(n^-4) with n particles to a cell's side, and the penalty limits the resulting motion.",
               source);
   for (const bool shift : {false, true}) {
     Flow flow = still(false, 20, 6, 0.01, shift);
     march(flow, 10, 0.03, [&] { flow.observe(); });
-    check.holds(
-        std::string("Over a flat bottom the surface stays, to round-off, on a lattice that ") +
-            (shift ? "is shifted at random." : "stays."),
-        {highest_marker(flow)},
-        Roundoff{
-            333 * 333, 1,
-            "places of order 1; a velocity that is rounded in each of 333 steps moves the surface in all later ones"});
+    check.holds(std::string("Over a flat bottom the surface stays, to round-off, on a grid that ") +
+                    (shift ? "is shifted at random." : "stays."),
+                {highest_marker(flow)},
+                Roundoff{333 * 333, 1,
+                         "positions of order 1; a velocity that is rounded in each of 333 steps moves the surface in "
+                         "all later ones"});
   }
-  refine(
-      check, {"spacing in cells", widths(1, {8, 12, 16, 24, 32})},
-      {{"uneven-order",
-        "The initial acceleration over an uneven bed falls at fourth order in the particle spacing.",
-        {4, 0.5,
-         "end-corrected masses are of fourth order for smooth fields; where rows cross a line of the lattice, at "
-         "which second derivatives of the velocities jump, a sum errs by s^3 with a sign that changes along the row: "
-         "s^3.5 in a mean, not less"}}},
-      [](double spacing) {
-        Flow flow = still(true, 20, static_cast<int>(cells_of(1, spacing)), 0, false);
-        constexpr double tau = 0.03;
-        flow.advance(tau);
-        return worst(flow.model().projected()) * 2 / tau;
-      });
+  refine(check, {"spacing in cells", widths(1, {8, 12, 16, 24, 32})},
+         {{"uneven-order",
+           "The initial acceleration over an uneven bed falls at fourth order in the particle spacing.",
+           {4, 0.5,
+            "end-corrected masses are fourth-order accurate for smooth fields; where rows cross a line of the grid, at "
+            "which second derivatives of the velocities jump, a sum errs by s^3 with a sign that changes along the "
+            "row: s^3.5 in a mean, not less"}}},
+         [](double spacing) {
+           Flow flow = still(true, 20, static_cast<int>(cells_of(1, spacing)), 0, false);
+           constexpr double tau = 0.03;
+           flow.advance(tau);
+           return worst(flow.model().projected()) * 2 / tau;
+         });
   Flow flow = still(true, 20, 12, 0.01, false);
   flow.advance(0.03);
   const double first = worst(flow.model().projected()) * 2 / 0.03;
@@ -86,7 +84,7 @@ TEST_CASE("free particles at rest over a flat bottom stay at rest", "[rest]") {
              Bound{2 * first / std::tanh(1.0),
                    "an oscillator that is pushed with a steady acceleration a from rest swings to 2 a/omega^2; the "
                    "longest wave, omega^2 = tanh 1, swings farthest"});
-  check.that("uneven-energy", "The energy changes by what the penalty takes, to round-off.",
+  check.that("uneven-energy", "The change of energy equals the energy removed by the penalty, to round-off.",
              "largest error of the energy after booking",
              {.value = flow.ledger().largest_defect("energy"), .resolution = "20 cells, 12 particles to a side"},
              Roundoff{333, 1e-2,

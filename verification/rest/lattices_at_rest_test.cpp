@@ -98,14 +98,13 @@ std::vector<Lake> lakes() {
 }
 }  // namespace plan
 
-TEST_CASE("lakes at rest on random lattices stay at rest bit by bit", "[rest]") {
-  Check check(
-      "lattices_at_rest", "Still water on random lattices",
-      "Lattices whose nodes are moved at random, in the vertical plane (12 x 5 cells by up to 10 %, nodes at "
-      "walls and at the surface along them, two meshes each, 10000 steps of 0.02), in 2DH (20 x 20 cells by "
-      "up to 15 %, 200 steps of 0.1) and of hexahedra (12 x 8 x 3 cells by up to 10 %, 1000 steps of 0.1), over "
-      "any bottom and between any walls. Potential energies count from the still-water level, where their "
-      "gradients vanish: no force, no pressure, no motion.");
+TEST_CASE("lakes at rest on random meshes stay at rest bitwise", "[rest]") {
+  Check check("lattices_at_rest", "Still water on random meshes",
+              "Meshes whose nodes are moved at random, in the vertical plane (12 x 5 cells by up to 10 %, nodes at "
+              "walls and at the surface along them, two meshes each, 10000 steps of 0.02), in 2DH (20 x 20 cells by up "
+              "to 15 %, 200 steps of 0.1) and of hexahedra (12 x 8 x 3 cells by up to 10 %, 1000 steps of 0.1), over "
+              "any bottom and between any walls. Potential energies count from the still-water level, where their "
+              "gradients vanish: no force, no pressure, no motion.");
   const auto rests = [&](const std::string& lake, auto& problem, double tau, int steps) {
     for (const Stepping stepping : {Stepping::one_step, Stepping::conservative}) {
       SchemeStepper stepper(problem.model, {.stepping = stepping});
@@ -175,7 +174,7 @@ TEST_CASE("raised water at rest in 2DH stays at rest to round-off", "[rest]") {
     }
     check.holds("Water at rest stays at rest (" + lake.text + ").", {fastest.value()},
                 Bound{1e-11,
-                      "roundings of forces, 1e-17 per node and step, that oscillate with the lattice's own frequencies "
+                      "roundings of forces, 1e-17 per node and step, that oscillate with the mesh's own frequencies "
                       "and are amplified by its near null modes"});
   }
 }

@@ -57,10 +57,10 @@ double rms_velocity(const Particles& p) {
 }
 
 TEST_CASE("water of two levels is in balance on both sides", "[rest]") {
-  Check check("wcsph_two_levels", "Two levels of water in SPH",
-              "A column 0.3 m high before water of 0.1 m, and before water as high as itself: then nothing is left of "
-              "the gate.",
-              source);
+  Check check(
+      "wcsph_two_levels", "Two levels of water in SPH",
+      "A column 0.3 m high beside water of 0.1 m, and beside water of equal height: then the gate has no effect.",
+      source);
   constexpr double low = 0.1;
   const Settings plain = still(WallPressure::dynamic);
   const TaitFluid fluid(plain.density, plain.sound_speed);
@@ -102,8 +102,8 @@ TEST_CASE("water of two levels is in balance on both sides", "[rest]") {
   }
   check.that("place", "Equal levels: the water is a tank's.", "largest distance over dx, or particles too many",
              {place_error.value()}, Roundoff{4, 50, "coordinates of up to 50 dx, counted from the gate"});
-  check.that("density", "Equal levels: so is its density.", "largest relative difference", {density_error.value()},
-             Roundoff{4, 1, "of the same depth, to its rounding"});
+  check.that("density", "Equal levels: its density equals the reference.", "largest relative difference",
+             {density_error.value()}, Roundoff{4, 1, "of the same depth, to its rounding"});
 
   // Pairs of water cancel: what is left of the momentum's rate is the push of the two end walls.
   // Staggered rows, twice as dense as the water, push too hard before the water has made room: not these.
@@ -130,7 +130,7 @@ TEST_CASE("water of two levels is in balance on both sides", "[rest]") {
       "The rms velocity of equal levels without a gate is below a sound wave with the pressure of one spacing of "
       "water.",
       "rms velocity over sqrt(g H) after 0.5 s", {rms_velocity(rest.particles())},
-      Bound{dx / high * 0.1, "sound of pressure rho c u as high as that of one spacing of water: dx/H sqrt(g H)/c"});
+      Bound{dx / high * 0.1, "sound whose pressure rho c u equals one spacing of water: dx/H sqrt(g H)/c"});
 }
 
 }  // namespace seiche::verification::wcsph_two_levels_test

@@ -54,11 +54,10 @@ void refuses(Check& check, const std::string& name, M&& flow) {
               Qualitative{"equal time, steps, invariants and books", "a caller may go on"});
 }
 
-TEST_CASE("no flow takes a step that is not positive and finite, or goes to the past", "[robustness]") {
-  Check check(
-      "bad_steps", "Steps and times that no flow takes",
-      "Zero, a negative number, no number, infinity, as the length of one step, of equal steps, and as the time "
-      "that a flow is to reach, after a first step of every model.");
+TEST_CASE("every flow rejects steps that are not positive and finite, and times in the past", "[robustness]") {
+  Check check("bad_steps", "Steps and times that no flow takes",
+              "Zero, a negative number, NaN, infinity, as the length of one step, of equal steps, and as the end time "
+              "of a flow, after a first step of every model.");
   const std::vector<double> depth(8, 1.0), still(8, 0.0);
   {
     using namespace dispersive_shallow_water_1d;

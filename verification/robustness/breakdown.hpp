@@ -55,11 +55,11 @@ inline void holds_of_breakdown(Check& check, const std::string& run, const Break
     check.holds(run + ": " + what, {value ? 1.0 : 0.0}, evidence::Qualitative{detector, reason});
   };
   holds("The run stops and states the cause.", breakdown.message.find(word) != std::string::npos,
-        "seiche::Divergence whose message contains \"" + word + "\"", "nothing may be computed from a broken state");
+        "seiche::Divergence whose message contains \"" + word + "\"", "no result may follow from a broken state");
   holds("The message states time and step of the last valid state.", breakdown.says_when,
         "time and steps of the state before the failing step", "the message must lead to the cause");
   holds("The message states the position of the failure.", breakdown.place >= leftmost && breakdown.place <= rightmost,
-        "place where the failure is known to begin", "the message must lead to the cause");
+        "position where the failure is known to begin", "the message must lead to the cause");
   holds("The state before the failing step is preserved.", breakdown.kept,
         "equal coordinates, rates, multipliers, time and number of steps", "a caller may go on with a shorter step");
 }

@@ -56,12 +56,12 @@ Rank rank_of(const Mesh& mesh) {
   return rank;
 }
 
-TEST_CASE("regular lattices of Dirichlet cells are singular, staggered and jittered ones are not", "[robustness]") {
+TEST_CASE("regular arrangements of Dirichlet cells are singular, staggered and jittered ones are not", "[robustness]") {
   Check check("dirichlet_mesh_rank", "Pressures without forces",
               "Singular values of the forces that pressures of the cells make, $W^{1/2} G^T$ up to masses. A "
-              "rectangular lattice of 25 x 9 nodes in a tank has two pressures without any force: they are chequered, "
+              "rectangular arrangement of 25 x 9 nodes in a tank has two pressure modes without force: chequerboards "
               "along one axis at least. Staggered rows and jittered meshes have none. Without stabilisation the model "
-              "refuses the lattice and says what to do.");
+              "rejects the arrangement and names the remedy.");
   Layer layer{.begin = 0, .end = 3, .columns = 24, .rows = 8};
   layer.staggered = false;
   const Mesh rectangular = layer_mesh(layer);
@@ -78,7 +78,7 @@ TEST_CASE("regular lattices of Dirichlet cells are singular, staggered and jitte
   claim("The constraint matrix of a jittered block has full rank.",
         rank_of(jittered(free_patch(8, 5, {0, 0}, {8, 5}, false), 0.2, 1)), 54);
   auto& figure = check.figure("null-vectors", "A pressure without forces",
-                              "On the rectangular lattice: the nodes where it is positive, and where negative.");
+                              "In the rectangular arrangement: the nodes where it is positive, and where negative.");
   std::vector<double> x_of[2];
   std::vector<double> y_of[2];
   const Eigen::VectorXd shown = lattice.null_vectors.col(0);
@@ -104,9 +104,9 @@ TEST_CASE("regular lattices of Dirichlet cells are singular, staggered and jitte
               Bound{0, "every force is exactly zero"});
 }
 
-TEST_CASE("bad meshes and settings of Dirichlet cells are refused by name", "[robustness]") {
+TEST_CASE("bad meshes and settings of Dirichlet cells are rejected by name", "[robustness]") {
   Check check("dirichlet_mesh_bad_input", "Bad input of the Dirichlet mesh",
-              "Outlines that are none, nodes where they may not be, walls that run elsewhere, settings out of range.");
+              "Invalid outlines, nodes outside their region, walls beside the outline, settings out of range.");
   Refusals refusals(check);
   const auto refused = refusals.of(square(), [](const Mesh& m) { Flow flow(m); });
   refused({"node 4", "nan", "finite"}, [](Mesh& m) { m.x[4] = not_a_number; });
@@ -162,7 +162,7 @@ TEST_CASE("bad meshes and settings of Dirichlet cells are refused by name", "[ro
   refusals.refused({"no water", "-1.5"}, [] { layer_mesh({.elevation = [](double) { return -1.5; }}); });
 }
 
-TEST_CASE("Dirichlet cells that tangle stop with time, step and place", "[robustness]") {
+TEST_CASE("tangling Dirichlet cells stop with time, step and position", "[robustness]") {
   Check check("dirichlet_mesh_breakdown", "A jet tangles the outline of the Dirichlet mesh",
               "A free patch whose two ends are thrown at each other: nodes of the outline meet. No flip helps; the run "
               "stops and names the triangle, with the state of before.");

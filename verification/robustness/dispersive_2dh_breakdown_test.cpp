@@ -52,12 +52,11 @@ std::string name_of(Stepping stepping) {
   return stepping == Stepping::one_step ? "one-step" : "conservative";
 }
 
-TEST_CASE("lattices that tangle, touch their bottom or leave it stop with time, step and place", "[robustness]") {
-  Check check(
-      "dispersive_2dh_breakdown", "Breakdown of the two-dimensional horizontal model",
-      "An eddy shears the lattice until a cell is inverted; a block of water collapses until its edge touches the "
-      "level bottom; it spreads until it leaves an uneven bottom that ends; a driven side gives a velocity "
-      "that is no number. Each run stops there, whatever the scheme, and says why, when and where.");
+TEST_CASE("meshes that tangle, touch their bottom or leave it stop with time, step and position", "[robustness]") {
+  Check check("dispersive_2dh_breakdown", "Breakdown of the two-dimensional horizontal model",
+              "An eddy shears the mesh until a cell is inverted; a block of water collapses until its edge touches the "
+              "level bottom; it spreads until it leaves an uneven bottom that ends; a driven side gives a velocity "
+              "that is not a number. Each run stops there with every scheme and reports cause, time and position.");
   for (const Stepping stepping : {Stepping::one_step, Stepping::conservative}) {
     const Scheme scheme{.stepping = stepping};
     Flow eddy(

@@ -34,10 +34,10 @@ class ShortBottom final : public PlanBottom {
   }
 };
 
-TEST_CASE("bad lattices and settings of the 2DH model are refused with name, value and range", "[robustness]") {
+TEST_CASE("bad meshes and settings of the 2DH model are rejected with name, value and range", "[robustness]") {
   Check check("dispersive_2dh_input", "Bad input of the two-dimensional horizontal model",
-              "A lattice of 4 x 3 cells with one thing wrong at a time: its rectangle, its nodes, its sides, its "
-              "bottom, its settings, its steps.");
+              "A mesh of 4 x 3 cells with one error at a time: its rectangle, its nodes, its sides, its bottom, its "
+              "settings, its steps.");
   Refusals refusals(check);
   const auto rectangle = refusals.of(still_water(), [&](Rectangle r) { Flow flow(rectangular_lattice(r)); });
   rectangle({"end = 0", "above begin = 0"}, [](Rectangle& r) { r.end = 0; });

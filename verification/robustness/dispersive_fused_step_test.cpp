@@ -95,8 +95,8 @@ Roundoff limit(int steps, double length) {
   return {.operations = 2.0 * steps * 64 + length * length,
           .scale = 1,
           .reason =
-              "both ways add the same to a place, but for roundings of rates and multipliers of order 1, some 64 in a "
-              "step; by these a place, up to the channel's length, may round the other way for once"};
+              "both variants add the same to a position, except for roundings of rates and multipliers of order 1, "
+              "some 64 in a step; by these a position, up to the channel's length, may round the other way for once"};
 }
 
 /// The scheme reflects what feedback puts into the rates and never damps it.
@@ -104,8 +104,8 @@ Roundoff fed_back(double scale) {
   return {.operations = 2.0 * 1000,
           .scale = scale,
           .reason =
-              "feedback divides the rounding of places, up to 75, by tau in every step; impulses become multipliers by "
-              "2/tau"};
+              "feedback divides the rounding of positions, up to 75, by tau in every step; impulses become multipliers "
+              "by 2/tau"};
 }
 
 /// What fused and separate calls of a scheme come apart by.
@@ -122,7 +122,7 @@ double apart(const Basin& basin, std::size_t cells, typename Step::Settings sett
 /// Around the blocks of 256 markers, in which the passes go.
 const std::vector<std::size_t> sizes{60, 255, 256, 257, 511, 512, 700, 1024, 1300};
 
-TEST_CASE("fused one-step steps do what the separate calls do", "[robustness]") {
+TEST_CASE("fused one-step steps agree with separate calls", "[robustness]") {
   Check check("dispersive_fused_step", "Dispersive shallow water: fused and separate passes, one-step scheme",
               "A pulse of velocity 0.1 in the middle of the water splits in two, 1000 steps of 0.05. Once with the "
               "fused step, once with the separate calls.");
@@ -147,7 +147,7 @@ TEST_CASE("fused one-step steps do what the separate calls do", "[robustness]") 
   }
 }
 
-TEST_CASE("fused sweeps of the conservative step do what the separate calls do", "[robustness]") {
+TEST_CASE("fused sweeps of the conservative step agree with separate calls", "[robustness]") {
   Check check("dispersive_fused_sweep", "Dispersive shallow water: fused and separate passes, conservative scheme",
               "As before with the fully conservative scheme, four sweeps per step, 1000 steps.");
   const int steps = 1000;
@@ -159,8 +159,8 @@ TEST_CASE("fused sweeps of the conservative step do what the separate calls do",
 
 TEST_CASE("fused steps agree with separate calls for any number of cells", "[robustness]") {
   Check check("dispersive_fused_sizes", "Dispersive shallow water: fused passes at the borders of blocks",
-              "As before for numbers of cells around the blocks of 256 markers in which the passes go; 50 steps. One, "
-              "two, several blocks, blocks of a single marker.");
+              "As before for numbers of cells around multiples of the block size, 256 nodes; 50 steps. One, two, "
+              "several blocks, blocks of a single node.");
   const int steps = 50;
   for (const Basin& basin : basins()) {
     Largest worst;
@@ -175,7 +175,7 @@ TEST_CASE("fused steps agree with separate calls for any number of cells", "[rob
 
 TEST_CASE("fused steps agree with separate calls in long channels", "[robustness]") {
   Check check("dispersive_fused_long", "Dispersive shallow water: fused passes of a long channel",
-              "As before for 66000 cells, which go by in blocks of 2048 markers; 20 steps.");
+              "As before for 66000 cells in blocks of 2048 nodes; 20 steps.");
   const int steps = 20;
   constexpr std::size_t cells = 66000;
   for (const Basin& basin : basins()) {

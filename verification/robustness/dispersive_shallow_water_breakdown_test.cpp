@@ -36,20 +36,20 @@ Channel beach(double cotangent, double wall, double table_end) {
 constexpr std::array all_steppings{Stepping::one_step, Stepping::one_step_feedback, Stepping::conservative};
 constexpr std::array stepping_names{"one-step", "feedback", "conservative"};
 
-TEST_CASE("a backwash that a conservative model cannot carry stops with time, step and place", "[robustness]") {
+TEST_CASE("a backwash that a conservative model cannot carry stops with time, step and position", "[robustness]") {
   Check check("dispersive_backwash", "A backwash bore stops the run where it forms",
               "A solitary wave of height 0.05 runs up a slope of 1 in 10 and back. The backwash steepens into a bore, "
-              "which a model without dissipation cannot carry: markers cross or the water is gone.");
+              "which a model without dissipation cannot carry: nodes cross or the water is gone.");
   const Channel channel = beach(10, -45, 20);
   Flow flow(channel, solitary_markers(channel, -40, 0, 0.125, {.amplitude = 0.05, .crest = -20}));
   const Breakdown breakdown = run_until_breakdown(flow, 0.03, 80);
   holds_of_breakdown(check, "backwash", flow, breakdown, "marker", -10, 3);
 }
 
-TEST_CASE("a wave that runs off the table of the bottom stops with time, step and place", "[robustness]") {
+TEST_CASE("a wave beyond the table of the bottom stops with time, step and position", "[robustness]") {
   Check check("dispersive_short_bottom", "A wave runs off the table of the bottom",
               "The table of the bottom ends 0.3 above the still-water level's shore, below the run-up. The tip leaves "
-              "it, whatever the scheme; the state is that of before.");
+              "it with every scheme; the state remains the last valid one.");
   for (std::size_t k = 0; k < all_steppings.size(); ++k) {
     const Channel channel = beach(2, -35, 0.3);
     Flow flow(channel, solitary_markers(channel, -30, 0, 0.25, {.amplitude = 0.3, .crest = -10}),
@@ -59,7 +59,7 @@ TEST_CASE("a wave that runs off the table of the bottom stops with time, step an
   }
 }
 
-TEST_CASE("a pressure that is not a number stops with time, step and place", "[robustness]") {
+TEST_CASE("a pressure that is not a number stops with time, step and position", "[robustness]") {
   Check check("dispersive_bad_pressure", "A pressure that is not a number",
               "A surface pressure that becomes NaN for x > 7 after some steps.");
   for (std::size_t k = 0; k < all_steppings.size(); ++k) {
@@ -78,7 +78,7 @@ TEST_CASE("a pressure that is not a number stops with time, step and place", "[r
 TEST_CASE("steps beyond the stability limit are counted, and too long ones stop", "[robustness]") {
   Check check("dispersive_long_steps", "Steps beyond the stability limit",
               "The limit is $2\\sqrt{\\alpha H/g}$, 1.155 on still water of depth 1. Longer steps are taken and "
-              "counted; a wave in steps of 20 depths' travel time makes markers cross or the iteration fail.");
+              "counted; a wave with steps of 20 sqrt(h/g) makes nodes cross or the iteration fail.");
   const Channel channel{.bottom = std::make_shared<LevelBottom>(1.0)};
   Flow still(channel, still_markers(channel, equal_labels(channel, 0, 10, 40)));
   const double limit = still.stable_step();
@@ -104,11 +104,12 @@ TEST_CASE("steps beyond the stability limit are counted, and too long ones stop"
         stopped = flow.state().q == last.q && flow.state().u == last.u && flow.lost().friction == lost;
       }
     }
-    check.holds(std::string("too-long-") + stepping_names[k] +
-                    ": The state after the breakdown of a wave in far too long steps is the state before the step.",
-                {stopped ? 1.0 : 0.0},
-                Qualitative{"seiche::Divergence within 100 steps, coordinates, rates and what friction took as before",
-                            "as for any failure"});
+    check.holds(
+        std::string("too-long-") + stepping_names[k] +
+            ": The state after the breakdown of a wave in far too long steps is the state before the step.",
+        {stopped ? 1.0 : 0.0},
+        Qualitative{"seiche::Divergence within 100 steps, coordinates, rates and the loss by friction as before",
+                    "as for any failure"});
   }
 }
 

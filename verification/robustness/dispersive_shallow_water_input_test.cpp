@@ -21,7 +21,7 @@ Markers still_water() {
   return still_markers(level_channel(), {0, 1, 2, 3, 4, 5});
 }
 
-TEST_CASE("bad constants of a channel are refused with name, value and range", "[robustness]") {
+TEST_CASE("bad constants of a channel are rejected with name, value and range", "[robustness]") {
   Check check("dispersive_bad_channel", "Bad channels of the dispersive model",
               "Each constant of a channel out of its range, one at a time.");
   Refusals refusals(check);
@@ -56,9 +56,9 @@ TEST_CASE("bad constants of a channel are refused with name, value and range", "
   });
 }
 
-TEST_CASE("bad bottoms are refused with name, value and range", "[robustness]") {
+TEST_CASE("bad bottoms are rejected with name, value and range", "[robustness]") {
   Check check("dispersive_bad_bottom", "Bad bottoms of the dispersive model",
-              "Tables that are no function, constants out of range, and slopes on which no marker can stand.");
+              "Tables that do not define a function, constants out of range, and slopes too steep for nodes.");
   Refusals refusals(check);
   refusals.refused({"bottom x[2]", "= 1", "above x[1] = 1"}, [] { PiecewiseLinearBottom({0, 1, 1}, {-1, -1, -1}); });
   refusals.refused({"3 places", "2 elevations"}, [] { PiecewiseLinearBottom({0, 1, 2}, {-1, -1}); });
@@ -79,10 +79,10 @@ TEST_CASE("bad bottoms are refused with name, value and range", "[robustness]") 
   refusals.refused({"bottom"}, [] { still_markers(Channel{}, {0, 1, 2}); });
 }
 
-TEST_CASE("bad markers are refused with name, value and range", "[robustness]") {
+TEST_CASE("bad nodes are rejected with name, value and range", "[robustness]") {
   Check check(
-      "dispersive_bad_markers", "Bad markers of the dispersive model",
-      "Markers that are too few, out of order, not finite, under the bottom or off it; and water of no volume.");
+      "dispersive_bad_markers", "Bad nodes of the dispersive model",
+      "Nodes that are too few, out of order, not finite, below or beyond the bottom; and water of zero volume.");
   Refusals refusals(check);
   const auto refused = refusals.of(still_water(), [&](Markers markers) { Flow flow(level_channel(), markers); });
   refused({"2 markers", "at least 3"}, [](Markers& m) {
@@ -114,10 +114,10 @@ TEST_CASE("bad markers are refused with name, value and range", "[robustness]") 
   });
 }
 
-TEST_CASE("bad starts, schemes and steps are refused with name, value and range", "[robustness]") {
+TEST_CASE("bad starts, schemes and steps are rejected with name, value and range", "[robustness]") {
   Check check("dispersive_bad_start", "Bad starts and steps of the dispersive model",
-              "Waves and labels that make no sense, names of schemes that do not exist, and lengths of steps. A "
-              "refused step changes nothing.");
+              "Invalid waves and labels, unknown names of schemes, and lengths of steps. A rejected step leaves the "
+              "state unchanged.");
   Refusals refusals(check);
   const Channel channel = level_channel();
   refusals.refused({"cells", "= 1", "at least 2"}, [&] { equal_labels(channel, 0, 1, 1); });

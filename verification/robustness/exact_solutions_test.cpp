@@ -14,7 +14,7 @@ namespace seiche::verification::exact_solutions_test {
 using namespace exact;
 using validation::LagrangianManufactured;
 
-TEST_CASE("exact solutions refuse parameters that have no solution", "[robustness]") {
+TEST_CASE("exact solutions reject parameters that have no solution", "[robustness]") {
   constexpr double g = 9.81;
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double inf = std::numeric_limits<double>::infinity();

@@ -98,7 +98,7 @@ TEST_CASE("a step that fails leaves the state as it was, with every integrator",
   Check check("failed_steps", "Steps that fail: integrators",
               "A chain breaks at one of its first linearisations, in stages and sweeps of the third or a later step, "
               "or at the end of a step or stage. Coordinates, rates, multipliers, time and number of steps are then "
-              "those of before, and the exception is a Divergence with the time of the stage and the step.");
+              "unchanged, and the exception is a Divergence with the time of the stage and the step.");
   Failures failures;
   for (const auto where : {FragileChain::At::linearise, FragileChain::At::settle}) {
     for (const int count : {3, 8, 17, 30}) {
@@ -127,8 +127,8 @@ TEST_CASE("a step that fails leaves the state as it was, with every integrator",
 TEST_CASE("a step that fails leaves a flow as it was", "[robustness]") {
   Check check("failed_flow_steps", "Steps that fail: flows",
               "Water that reaches the end of the curve it slides along, within or at the end of a step; pressure, "
-              "absorption or a wall's motion whose function throws at a later time. The state is that of before the "
-              "step, the first one with its smooth start included.");
+              "absorption or a wall's motion whose function throws at a later time. The state is the one before the "
+              "step, also for the first step with its smooth start.");
   int failed = 0, changed = 0;
   const auto count = [&](bool kept) {
     ++failed;
@@ -182,11 +182,11 @@ TEST_CASE("a step that fails leaves a flow as it was", "[robustness]") {
               Bound{0, "equality of bytes: a caller may go on with a shorter step"});
 }
 
-TEST_CASE("a step that fails has lost nothing to friction and breaking", "[robustness]") {
+TEST_CASE("a failed step leaves the losses by friction and breaking unchanged", "[robustness]") {
   namespace water = dispersive_shallow_water_1d;
   Check check("failed_step_losses", "Steps that fail: friction and breaking",
               "A bore runs up a beach with friction; then a step of 1000 s is tried, which fails. State, energy lost "
-              "and breaking fronts are as before, and 20 more steps are those of a flow that never failed.");
+              "and breaking fronts are as before, and 20 more steps equal the steps of a flow without a failure.");
   const auto flow_of = [] {
     const water::Channel channel{.bottom = std::make_shared<PiecewiseLinearBottom>(std::vector{-100.0, 0.0, 100.0},
                                                                                    std::vector{-1.0, -1.0, 9.0}),

@@ -11,7 +11,7 @@ using shallow_water_finite_volume::End;
 using shallow_water_finite_volume::FiniteVolumeFlow;
 using shallow_water_finite_volume::Scheme;
 
-TEST_CASE("finite-volume flow refuses bad input", "[robustness]") {
+TEST_CASE("finite-volume flow rejects bad input", "[robustness]") {
   using Bad = std::invalid_argument;
   const std::vector<double> h(8, 1.0);
   const std::vector<double> q(8, 0.0);
@@ -58,7 +58,7 @@ TEST_CASE("finite-volume flow refuses bad input", "[robustness]") {
 TEST_CASE("on a dry bed MacCormack's scheme breaks down and the others do not", "[robustness]") {
   Check check("finite_volume_dry_bed", "Dam break onto a dry bed: which schemes survive",
               "The velocity of a predicted state of depth zero is 0/0: MacCormack's scheme ends in "
-              "`seiche::Divergence` with time and place. The others keep every depth non-negative.");
+              "`seiche::Divergence` with time and position. The others keep every depth non-negative.");
   std::vector<double> h(60, 0.0);
   std::fill_n(h.begin(), 20, 1.0);
   const std::vector<double> q(60, 0.0);

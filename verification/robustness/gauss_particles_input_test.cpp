@@ -29,9 +29,9 @@ std::unique_ptr<FieldSpace> splines(const LatticePlan& plan = tank(), SplineSpac
   return std::make_unique<SplineSpace>(plan, settings);
 }
 
-TEST_CASE("bad particles, lattices and settings of free particles are refused", "[robustness]") {
+TEST_CASE("bad particles, grids and settings of Gauss-principle particles are rejected", "[robustness]") {
   Check check("gauss_particles_bad_input", "Bad input of the free-particle model",
-              "Water in a tank with one thing wrong at a time.");
+              "Water in a tank with one error at a time.");
   Refusals refusals(check);
   const auto with_particles =
       refusals.of(layer(water()), [&](Particles particles) { Flow flow(std::move(particles), splines()); });
@@ -106,10 +106,10 @@ TEST_CASE("bad particles, lattices and settings of free particles are refused", 
   refusals.refused({"tau", "= 0.6", "2/sqrt(pi g/h)"}, [] { Flow(layer(water()), splines()).advance(0.6); });
 }
 
-TEST_CASE("free particles that leave their lattice are a divergence with time and place", "[robustness]") {
-  Check check("gauss_particles_breakdown", "Gauss-principle particles that leave their lattice",
-              "A drop flies through a lattice that does not follow it: the run stops before the step in which a "
-              "particle comes within two cells of its end, and the state is that before the step.");
+TEST_CASE("Gauss-principle particles that leave their grid cause a Divergence with time and position", "[robustness]") {
+  Check check("gauss_particles_breakdown", "Gauss-principle particles that leave their grid",
+              "A drop flies through a fixed grid: the run stops before the step in which a particle comes within two "
+              "cells of its end, and the state is the one before the step.");
   const LatticeAt fixed = [](mechanics::Interval, const Bounds&) {
     return Lattice{SplineAxis(3, -2, 0.25, 16, Ends::free), SplineAxis(3, -2, 0.25, 16, Ends::free)};
   };
@@ -122,7 +122,7 @@ TEST_CASE("free particles that leave their lattice are a divergence with time an
   INFO(message);
   const bool named = message.find("lattice with its margin is [-1.5, 1.5]") != std::string::npos;
   check.holds("The message gives the position of departure and the range of the grid.", {named ? 1.0 : 0.0},
-              Qualitative{"Divergence that names the lattice's ends", "a run that breaks down must say where"});
+              Qualitative{"Divergence that names the grid's ends", "a run that breaks down must say where"});
   // The disc's outermost ring has radius 0.96; its rightmost particle passes 1.5 at t = 0.54 and more.
   check.holds("The run stops at the time when the drop arrives, not later.", {flow.time()},
               Bound{0.05, "one step; the outermost ring's radius is sqrt((11^2 + 12^2)/2)/12",

@@ -23,10 +23,9 @@ std::shared_ptr<const PlanBottom> plane_bottom(double slope) {
   return std::make_shared<PolynomialBottom>(std::vector<PolynomialBottom::Term>{{-1, 0, 0}, {slope, 1, 0}});
 }
 
-TEST_CASE("bad hexahedral meshes and settings are refused with name, value and range", "[robustness]") {
-  Check check(
-      "lagrangian_mesh_3d_input", "Bad input of the hexahedral mesh",
-      "A mesh of 4 x 3 x 2 cells with one thing wrong at a time: its layer, its nodes, its sides, its settings.");
+TEST_CASE("bad hexahedral meshes and settings are rejected with name, value and range", "[robustness]") {
+  Check check("lagrangian_mesh_3d_input", "Bad input of the hexahedral mesh",
+              "A mesh of 4 x 3 x 2 cells with one error at a time: its layer, its nodes, its sides, its settings.");
   Refusals refusals(check);
   const auto layer = refusals.of(still_layer(), [&](Layer l) { layer_mesh(l); });
   layer({"end = 0", "begin = 0"}, [](Layer& l) { l.end = 0; });
@@ -42,9 +41,9 @@ TEST_CASE("bad hexahedral meshes and settings are refused with name, value and r
   mesh({"z has 59 values", "60, one per node"}, [](Mesh& m) { m.z.pop_back(); });
   mesh({"node 7", "nan", "finite"}, [](Mesh& m) { m.x[7] = not_a_number; });
   mesh({"corner", "of cell", "positive"}, [](Mesh& m) { m.x[m.node(1, 1, 1)] = 2.5; });
-  mesh({"bottom node 3", "that of all others, -1"}, [](Mesh& m) { m.z[3] += 1e-10; });
+  mesh({"bottom node 3", "the others' elevation, -1"}, [](Mesh& m) { m.z[3] += 1e-10; });
   mesh({"driven side", "no velocity"}, [](Mesh& m) { m.sides.north = plan_lattice::DrivenSide{}; });
-  mesh({"bottom node 3", "that of the bottom, -0.8"}, [](Mesh& m) {
+  mesh({"bottom node 3", "the bottom's elevation, -0.8"}, [](Mesh& m) {
     m.bottom = plane_bottom(0.05);
     for (std::size_t k = 0; k < m.plan.nodes(); ++k) m.z[k] = -1 + 0.05 * m.x[k] + (k == 3 ? 1e-10 : 0);
   });
@@ -79,7 +78,7 @@ TEST_CASE("bad hexahedral meshes and settings are refused with name, value and r
   refusals.refused({"3 velocities", "60"}, [] { Flow flow(layer_mesh(still_layer()), std::vector<Vector>(3)); });
 }
 
-TEST_CASE("a wave that tangles hexahedra at a wall stops with time, step and place", "[robustness]") {
+TEST_CASE("a wave that tangles hexahedra at a wall stops with time, step and position", "[robustness]") {
   Check check("lagrangian_mesh_3d_tangle", "A high wave inverts hexahedra at a wall",
               "A solitary wave of height 0.7 is reflected by a vertical wall. Surface nodes beside the wall overtake "
               "the wall's: a corner of a cell is inverted. The run stops there, whatever the scheme.");
@@ -103,10 +102,10 @@ TEST_CASE("a wave that tangles hexahedra at a wall stops with time, step and pla
   }
 }
 
-TEST_CASE("a moving window that follows still water changes nothing", "[robustness]") {
+TEST_CASE("a moving window over still water leaves it at rest", "[robustness]") {
   Check check("lagrangian_mesh_3d_window", "A moving window over still water",
-              "A window of 4 x 3 x 2 cells moves over water at rest: ten columns are dropped and appended. Nothing "
-              "moves, and the window stands where it should.");
+              "A window of 4 x 3 x 2 cells moves over water at rest: ten columns are dropped and appended. The water "
+              "stays at rest, and the window has its exact position.");
   Layer layer = still_layer();
   layer.sides.west = plan_lattice::HeldSide{};
   Flow flow(layer_mesh(layer), {}, {}, {}, {.reach = [](double t) { return 4 + t; }});

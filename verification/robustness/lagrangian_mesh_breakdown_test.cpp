@@ -13,7 +13,7 @@ namespace seiche::verification::lagrangian_mesh_breakdown_test {
 
 using namespace lagrangian_mesh_2d;
 
-TEST_CASE("a wave that tangles the mesh at a wall stops with time, step and place", "[robustness]") {
+TEST_CASE("a wave that tangles the mesh at a wall stops with time, step and position", "[robustness]") {
   Check check("lagrangian_mesh_tangle", "A high wave inverts the mesh at a wall",
               "A solitary wave of height 0.6 is reflected by a vertical wall. Surface nodes beside the wall overtake "
               "the wall's: a corner of a cell is inverted. The run stops there, whatever the scheme.");
@@ -35,7 +35,7 @@ TEST_CASE("a wave that tangles the mesh at a wall stops with time, step and plac
   stops("conservative", Stepping::conservative);
 }
 
-TEST_CASE("a node that leaves the curve of its wall stops with time, step and place", "[robustness]") {
+TEST_CASE("a node that leaves the curve of its wall stops with time, step and position", "[robustness]") {
   Check check("lagrangian_mesh_short_curve", "A node leaves the curve it slides along",
               "The curve of a wall of slope 1 ends 0.05 above the still-water level. A surge of 0.3 carries the "
               "contact point past its end, whatever the scheme.");
@@ -53,7 +53,7 @@ TEST_CASE("a node that leaves the curve of its wall stops with time, step and pl
 TEST_CASE("implicit steps that do not converge stop, and long steps are counted", "[robustness]") {
   Check check("lagrangian_mesh_long_steps", "Too long steps of the Lagrangian mesh",
               "Steps beyond the limit of linear waves are taken and counted. Implicit steps 5 % longer do not "
-              "converge, even of a low wave: the run stops with the state of before.");
+              "converge, even of a low wave: the run stops with the state before the step.");
   const Layer layer{.begin = 0, .end = 6, .columns = 16, .rows = 4, .elevation = [](double x) {
                       return 0.001 * std::cos(std::numbers::pi * x / 6);
                     }};

@@ -20,9 +20,9 @@ GraphCurve::Function constant(double value) {
   return [value](double) { return value; };
 }
 
-TEST_CASE("bad meshes are refused with name, value and range", "[robustness]") {
+TEST_CASE("bad meshes are rejected with name, value and range", "[robustness]") {
   Check check("lagrangian_mesh_bad_mesh", "Bad meshes of the Lagrangian mesh",
-              "A mesh of 4 x 2 cells with one thing wrong at a time: its size, its nodes, its cells, its walls.");
+              "A mesh of 4 x 2 cells with one error at a time: its size, its nodes, its cells, its walls.");
   Refusals refusals(check);
   const auto refused = refusals.of(still_water(), [&](Mesh mesh) { Flow flow(std::move(mesh)); });
   refused({"columns", "= 0", "at least 1"}, [](Mesh& m) { m.columns = 0; });
@@ -67,9 +67,9 @@ TEST_CASE("bad meshes are refused with name, value and range", "[robustness]") {
   });
 }
 
-TEST_CASE("bad constants and walls are refused with name, value and range", "[robustness]") {
+TEST_CASE("bad constants and walls are rejected with name, value and range", "[robustness]") {
   Check check("lagrangian_mesh_bad_constants", "Bad constants and walls of the Lagrangian mesh",
-              "Settings out of their ranges, curves that are none, layers without water.");
+              "Settings out of their ranges, invalid curves, layers without water.");
   Refusals refusals(check);
   const auto refused =
       refusals.with<Settings>([&](const Settings& settings) { Flow flow(still_water(), {}, {}, settings); });
@@ -97,7 +97,7 @@ TEST_CASE("bad constants and walls are refused with name, value and range", "[ro
   refusals.refused({"rounding", "= -1", "non-negative"}, [] { layer_mesh_with_slope({}, 1, 0, -1); });
 }
 
-TEST_CASE("bad starts of the Lagrangian mesh are refused", "[robustness]") {
+TEST_CASE("bad starts of the Lagrangian mesh are rejected", "[robustness]") {
   Check check("lagrangian_mesh_bad_start", "Bad starts of the Lagrangian mesh",
               "Velocities that are not finite, and sweeps out of range.");
   Refusals refusals(check);
@@ -108,9 +108,9 @@ TEST_CASE("bad starts of the Lagrangian mesh are refused", "[robustness]") {
   });
 }
 
-TEST_CASE("meshes that cannot be rezoned are refused with the reason", "[robustness]") {
+TEST_CASE("meshes that cannot be rezoned are rejected with the reason", "[robustness]") {
   Check check("lagrangian_mesh_bad_rezoning", "Meshes of the Lagrangian mesh that cannot be rezoned",
-              "Layers and patches whose columns are to be put upright again, with one thing wrong at a time.");
+              "Layers and patches with rezoning, with one error at a time.");
   Refusals refusals(check);
   const auto layer = [](std::size_t columns, std::size_t rows) {
     return layer_mesh({.begin = 0, .end = 4, .columns = columns, .rows = rows});

@@ -24,7 +24,7 @@ void refuses_bad_steps(Stepper&& stepper, State state) {
   }
 }
 
-TEST_CASE("integrators refuse bad steps", "[robustness]") {
+TEST_CASE("integrators reject bad steps", "[robustness]") {
   auto chain = double_pendulum();
   const State state = spiral_start(chain);
   OneStep<RigidChain> base(chain);
@@ -35,7 +35,7 @@ TEST_CASE("integrators refuse bad steps", "[robustness]") {
   refuses_bad_steps(Rattle<RigidChain>(chain), state);
 }
 
-TEST_CASE("a bad state or bad masses are named", "[robustness]") {
+TEST_CASE("an invalid state or invalid masses are named", "[robustness]") {
   auto chain = double_pendulum();
   State state = spiral_start(chain);
   state.u[4] = std::nan("");
@@ -45,7 +45,8 @@ TEST_CASE("a bad state or bad masses are named", "[robustness]") {
   CHECK_THROWS_WITH(RigidChain({.masses = {1, 0}}), Contains("mass"));
 }
 
-TEST_CASE("a rate that is not finite stops the run with time, step and place, and the state kept", "[robustness]") {
+TEST_CASE("a rate that is not finite stops the run with time, step and position, and leaves the state unchanged",
+          "[robustness]") {
   auto chain = double_pendulum();
   State state = spiral_start(chain);
   OneStep<RigidChain> scheme(chain);
@@ -65,7 +66,7 @@ TEST_CASE("a rate that is not finite stops the run with time, step and place, an
   CHECK(state.u == before.u);
 }
 
-TEST_CASE("an implicit step that does not converge says so and leaves the state", "[robustness]") {
+TEST_CASE("an implicit step that does not converge reports it and leaves the state unchanged", "[robustness]") {
   auto chain = double_pendulum();
   State state = spiral_start(chain);
   ConservativeStep<RigidChain> scheme(chain);
@@ -75,7 +76,7 @@ TEST_CASE("an implicit step that does not converge says so and leaves the state"
   CHECK(state.u == before.u);
 }
 
-TEST_CASE("the ledger counts what is booked and refuses wrong numbers of values", "[robustness]") {
+TEST_CASE("the ledger adds up its entries and rejects wrong numbers of values", "[robustness]") {
   InvariantsLedger ledger;
   const std::size_t mass = ledger.watch("mass", 2);
   CHECK(std::isnan(ledger.entry("mass").largest_defect));

@@ -31,10 +31,9 @@ Particles full_box() {
 
 const std::vector<Wall> four_walls{{{0, 0}, {1, 0}}, {{0, 0}, {0, 1}}, {{1, 1}, {-1, 0}}, {{1, 1}, {0, -1}}};
 
-TEST_CASE("bad particles, walls and settings are refused by name", "[robustness]") {
-  Check check(
-      "overlapping_particles_bad_input", "Bad input of overlapping particles",
-      "Particles that are none, at one place or behind walls; walls that images cannot do; settings out of range.");
+TEST_CASE("bad particles, walls and settings are rejected by name", "[robustness]") {
+  Check check("overlapping_particles_bad_input", "Bad input of overlapping particles",
+              "Missing particles, coincident ones or ones behind walls; walls without images; settings out of range.");
   Refusals refusals(check);
   const auto refused = refusals.of(block(), [](const Particles& p) { Flow flow(p); });
   refused({"x of particle 4", "nan", "finite"}, [](Particles& p) { p.x[4] = not_a_number; });
@@ -75,11 +74,11 @@ TEST_CASE("bad particles, walls and settings are refused by name", "[robustness]
   refusals.refused({"spacing = 1e-06", "at most 1e+07"}, [] { staggered_disc(1, 1e-6); });
 }
 
-TEST_CASE("a lattice that fills a box is singular, and says what to do", "[robustness]") {
+TEST_CASE("an arrangement that fills a box is singular, and the message names the remedy", "[robustness]") {
   Check check("overlapping_particles_singular", "Singular configurations of overlapping particles",
-              "A square lattice in a box that it fills with its mirror images: chequered multipliers are without "
-              "forces. It is refused; with stabilisation the water rests, without gravity bit by bit. With the "
-              "lattice's upper half alone there is a surface, and nothing is singular.");
+              "A square arrangement that fills a box with its mirror images: chequered multipliers have no force. Such "
+              "an arrangement is rejected; with stabilisation the water rests, bitwise without gravity. Without the "
+              "upper half there is a surface, and no singularity.");
   Refusals refusals(check);
   refusals.refused({"singular configuration", "set stabilisation > 0"},
                    [] { Flow flow(full_box(), {}, {.walls = four_walls}); });
@@ -94,13 +93,13 @@ TEST_CASE("a lattice that fills a box is singular, and says what to do", "[robus
   Flow open(half, {}, {.walls = four_walls});
   check.holds("The constraint matrix with a free surface is regular.",
               {open.model().solver().pivot_ratio() > 1e-6 ? 1.0 : 0.0},
-              Qualitative{"above 1e-6", "ten thousand times what counts as singular"});
+              Qualitative{"above 1e-6", "1e4 times the threshold of singularity"});
 }
 
-TEST_CASE("overlapping particles that go through a wall stop with time, step and place", "[robustness]") {
+TEST_CASE("overlapping particles beyond a wall stop with time, step and position", "[robustness]") {
   Check check("overlapping_particles_breakdown", "Overlapping particles are thrown at a wall",
               "A block is thrown at a floor so fast that a step takes it through. The run stops and names the "
-              "particle, with the state of before.");
+              "particle, with the state before the step.");
   Flow flow(block(), [](Point) { return Point{0, -1}; }, {.walls = {{{0, -0.5}, {0, 1}}}});
   holds_of_breakdown(check, "floor", run_until_breakdown(flow, 2, 0.4), "goes through wall 0", -0.01, 0.81);
 }

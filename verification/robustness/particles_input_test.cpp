@@ -17,10 +17,10 @@ Particles still_water(std::size_t count = 10) {
   return uniform_stretches({{0, 10, {1, 0}}}, count);
 }
 
-TEST_CASE("bad particles, ends and steps are refused with their name", "[robustness]") {
+TEST_CASE("bad particles, ends and steps are rejected with their name", "[robustness]") {
   Check check(
       "particles_bad_input", "Bad input of the particle method",
-      "Each refusal is a std::invalid_argument, thrown before anything changes, whose message names the quantity.");
+      "Each rejection is a std::invalid_argument, thrown before anything changes, whose message names the quantity.");
   Refusals refusals(check);
   const auto particles = refusals.of(still_water(), [](const Particles& p) { ParticleFlow flow(p); });
   refusals.refused({"number of particles"}, [] { ParticleFlow flow(still_water(3)); });
@@ -73,10 +73,10 @@ TEST_CASE("bad particles, ends and steps are refused with their name", "[robustn
   });
 }
 
-TEST_CASE("a piston may leave as fast as the water follows", "[robustness]") {
+TEST_CASE("a piston may recede up to the speed at which water follows", "[robustness]") {
   Check check("particles_piston_almost_escapes", "A piston that withdraws just below the limit",
-              "Still water follows a piston up to twice its celerity. A piston with 0.99 of that is no vacuum: the run "
-              "goes on, with positive depths.");
+              "Still water follows a piston up to twice its celerity. A piston at 0.99 of that speed causes no vacuum: "
+              "the run continues with positive depths.");
   const double escape = 2 * shallow_water::celerity(9.81, 1);
   ParticleFlow flow(still_water(40), {Piston{[=](double) { return -0.99 * escape; }}, Wall{}});
   march(flow, 0.5);
@@ -84,13 +84,13 @@ TEST_CASE("a piston may leave as fast as the water follows", "[robustness]") {
   for (std::size_t i = 0; i < flow.particles().size(); ++i) thinnest.add(flow.particles().depth(i));
   check.holds("Depths of all particles are positive while the piston almost escapes.",
               {thinnest.value() > 0 ? 1.0 : 0.0},
-              Qualitative{"smallest depth positive", "the limit must not refuse what the equations allow"});
+              Qualitative{"smallest depth positive", "the limit must admit every speed that the equations allow"});
 }
 
-TEST_CASE("a breakdown stops with time, step and place", "[robustness]") {
+TEST_CASE("a breakdown stops with time, step and position", "[robustness]") {
   Check check("particles_breakdown", "A run that breaks down says where",
               "A body force that becomes NaN after two steps: the run stops with seiche::Divergence that carries the "
-              "time at the start of the failing step, the number of steps before it and the place.");
+              "time at the start of the failing step, the number of steps before it and the position.");
   Forcing forcing;
   forcing.body_force = [](double x, double t) { return t > 0.1 && x > 7 ? not_a_number : 0.0; };
   ParticleFlow flow(still_water(), {}, forcing);
@@ -105,17 +105,17 @@ TEST_CASE("a breakdown stops with time, step and place", "[robustness]") {
     step = error.step();
   }
   check.holds("The run stops at the first bad value.", {stopped && step == 2 ? 1.0 : 0.0},
-              Qualitative{"seiche::Divergence after 2 complete steps", "nothing may be computed from a NaN"});
+              Qualitative{"seiche::Divergence after 2 complete steps", "no result may follow from a NaN"});
   check.holds("The breakdown message states the position of the failure.", {place >= 5 && place <= 10 ? 1.0 : 0.0},
-              Qualitative{"place within the stencil of x > 7", "the message must lead to the cause"});
+              Qualitative{"position within the stencil of x > 7", "the message must lead to the cause"});
 }
 
-TEST_CASE("a row as it is written keeps its momentum", "[robustness]") {
+TEST_CASE("a row of particles given as data conserves its momentum", "[robustness]") {
   Check check(
       "particles_as_written", "The rearrangement as it is written",
-      "A dam break between free ends: momentum changes by the impulses of the ends, whose pressures stay those of "
-      "still water; with the deep water on the right, where a sweep meets the bore from ahead, the bore is as far; "
-      "pairs without room are refused and leave it as it was.");
+      "A dam break between free ends: momentum changes by the impulses of the ends, whose pressures remain "
+      "hydrostatic; with the deep water on the right, where a sweep meets the bore from ahead, the bore travels "
+      "equally far; pairs without room are rejected and leave the row unchanged.");
   AsWritten flow(dam_break(0, 20, 40, {2, 0}, {1, 0}, 60), {Free{}, Free{}});
   const auto momentum = [&flow] {
     double sum = 0;

@@ -121,10 +121,10 @@ void damage_files(double share) {
   Check check("reader_fuzz", "Damaged files",
               "Valid CSV tables, TOML configurations, records, HDF5 files and files of every solver whose form is read "
               "are damaged at random: bytes flipped, replaced, removed, inserted, files cut off or spliced together, "
-              "one to six such changes each, the same in every run. Every input must be read, or refused with a "
+              "one to six such changes each, the same in every run. Every input must be read, or rejected with a "
               "message of one line; a crash or a hang would end the test. HDF5 is read in a child process, because the "
               "library itself crashes on some of these files: the number of such crashes is measured, and each must "
-              "come out as a refusal like any other. `ci/checks/fuzz` does the same with ten times the inputs.");
+              "come out as a rejection like any other. `ci/checks/fuzz` does the same with ten times the inputs.");
   const std::vector<std::string> tables{
       "# a result\nx [m],h [m],u [m/s]\n0.5,1,0\n1.5,0.9,0.1\n2.5,1e-3,-2.5e+00\n",
       "t,eta\r\n0,0\r\n1,0.25\r\n2,-0.125\r\n",
@@ -170,7 +170,7 @@ void damage_files(double share) {
   claim(check, "hdf5", hdf5);
 }
 
-TEST_CASE("readers survive damaged files: they read or refuse in one line", "[robustness]") {
+TEST_CASE("readers survive damaged files: they read or reject in one line", "[robustness]") {
   damage_files(0.2);
 }
 
@@ -178,10 +178,10 @@ TEST_CASE("readers survive more damaged files", "[robustness][full]") {
   damage_files(1);
 }
 
-TEST_CASE("what crashes or spins in a child process is a refusal in the parent", "[robustness]") {
+TEST_CASE("a crash or infinite loop of a child process is a rejection in the parent", "[robustness]") {
   Check check("isolated_readers", "Crashes stay in the child process",
-              "The HDF5 library crashes on some damaged files and never ends on others. It reads in a child process, "
-              "and whatever becomes of that process must come out as an ordinary exception.");
+              "The HDF5 library crashes on some damaged files and does not terminate on others. It reads in a child "
+              "process, and any end of that process must become an ordinary exception.");
   const auto outcome = [](const std::function<std::string()>& action) -> std::string {
     try {
       return io::isolated(action, 1);
@@ -207,7 +207,7 @@ TEST_CASE("what crashes or spins in a child process is a refusal in the parent",
             std::raise(SIGSEGV);
             return {};
           });
-  ends_in("endless", "An endless loop in the child becomes an exception of the parent.",
+  ends_in("endless", "An infinite loop in the child becomes an exception of the parent.",
           "runtime_error: the child process did not end within 1 s", []() -> std::string {
             for (volatile bool forever = true; forever;) {
             }

@@ -48,7 +48,7 @@ class Refusals {
         of + "Invalid input is rejected with a message that names " + wanted + ".", {named ? 1.0 : 0.0},
         evidence::Qualitative{
             "std::invalid_argument whose message contains all of it",
-            "input must be rejected before anything is computed, with what is wrong, its value and what is allowed"});
+            "input must be rejected before any computation, with the parameter, its value and the allowed range"});
   }
 
   /// Rows that change something good before it is used.

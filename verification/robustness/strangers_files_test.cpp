@@ -64,7 +64,7 @@ TEST_CASE("numbers of an HDF5 file that lie in another file are not read", "[rob
   CHECK_THAT(reason_of(link), Contains("another file"));
 }
 
-TEST_CASE("a dataset that only claims to be large is refused before it is read", "[robustness]") {
+TEST_CASE("a dataset that only claims to be large is rejected before it is read", "[robustness]") {
   const ScratchFolder scratch("seiche_strangers");
   const auto large = dataset(scratch, 2'000'000'000, [](hid_t properties, hid_t) {
     const hsize_t chunk = 1U << 20U;
@@ -137,7 +137,7 @@ TEST_CASE("a file takes the place of a file, not of a pipe, a folder or a link",
   CHECK_THROWS_WITH(io::write_file(scratch.path(), "text"), Contains("folder"));
 }
 
-TEST_CASE("a stranger's text is shown in printable characters", "[robustness]") {
+TEST_CASE("untrusted text is shown in printable characters", "[robustness]") {
   CHECK(printable("depth η = 3.5 m, \xF0\x9F\x8C\x8A") == "depth η = 3.5 m, \xF0\x9F\x8C\x8A");
   CHECK(printable("\x1b[2Jgone\r\n\t\x7f") == "?[2Jgone????");
   CHECK(printable("C1: \xC2\x9B") == "C1: ?");                               // CSI in one character

@@ -36,9 +36,9 @@ Breakdown run_until_break(Flow& flow, double end, const Advance& advance) {
   return result;
 }
 
-TEST_CASE("bad input of variable masses is refused by name", "[robustness]") {
+TEST_CASE("bad input of variable masses is rejected by name", "[robustness]") {
   Check check("variable_mass_bad_input", "Bad input of particles of variable mass",
-              "Controls out of range or without a surface to follow, steps too long for them, channels that are none.");
+              "Controls out of range or without a surface to follow, steps too long for them, invalid channels.");
   Refusals refusals(check);
   const auto control = [&](const std::vector<std::string>& words, const Control& c, const Mesh& mesh) {
     refusals.refused(words, [&] { Flow flow(mesh, {}, c); });
@@ -79,10 +79,10 @@ TEST_CASE("bad input of variable masses is refused by name", "[robustness]") {
   channel({"rows", "= 1", "at least 2"}, {.rows = 1});
 }
 
-TEST_CASE("a step that hands on more than there is, or does not settle, is not taken", "[robustness]") {
+TEST_CASE("a step that exchanges more mass than available, or does not converge, is rejected", "[robustness]") {
   Check check("variable_mass_exchange_limits", "Exchanges that no step can hold",
-              "Three bodies of mass 1. One gives away more than it has; or they hand a large mass round in a ring, "
-              "which leaves their masses alone but not the iteration.");
+              "Three bodies of mass 1. One gives away more mass than it has; or the three exchange a large mass in a "
+              "ring, which leaves their masses unchanged but prevents convergence.");
   const std::vector<double> masses(3, 1.0);
   const std::vector<double> x{0.25, 0.5, 0.75};
   const std::vector<double> y(3, 0.0);
@@ -91,9 +91,10 @@ TEST_CASE("a step that hands on more than there is, or does not settle, is not t
     convection.begin(masses, std::vector<Exchange>{{1, 2, 1.5}}, {x, y});
   });
   INFO(given);
-  check.holds("A mass that would not be positive stops the run.",
-              {given.find("mass of node 2 at (0.75, 0) becomes -0.5") != std::string::npos ? 1.0 : 0.0},
-              Qualitative{"mechanics::Infeasible with the node, its place and the mass", "the root of it is needed"});
+  check.holds(
+      "The run stops before a mass becomes negative or zero.",
+      {given.find("mass of node 2 at (0.75, 0) becomes -0.5") != std::string::npos ? 1.0 : 0.0},
+      Qualitative{"mechanics::Infeasible with the node, its position and the mass", "the root of it is needed"});
   convection.begin(masses, std::vector<Exchange>{{0, 1, 30}, {1, 2, 30}, {2, 0, 30}}, {x, y});
   const std::vector<double> u{1, 0, -0.5, 0, 0.3, 0.2};
   std::vector<double> mean = u;
@@ -107,15 +108,15 @@ TEST_CASE("a step that hands on more than there is, or does not settle, is not t
   });
   INFO(unsettled);
   check.holds(
-      "An iteration that does not settle stops the run.",
+      "The run stops when an iteration does not converge.",
       {unsettled.find("does not settle in 60 iterations") != std::string::npos ? 1.0 : 0.0},
       Qualitative{"mechanics::Infeasible with the number of iterations", "an unsettled step would not be neutral"});
 }
 
-TEST_CASE("variable masses that cannot go on stop with time, step and place", "[robustness]") {
+TEST_CASE("variable masses that cannot continue stop with time, step and position", "[robustness]") {
   Check check("variable_mass_breakdown", "Variable masses break down",
-              "A free patch whose two ends are thrown at each other: nodes of the outline meet. A wave as high as the "
-              "box is deep: its surface overturns. Either stops, with state and masses of before the step.");
+              "A free patch whose two ends are thrown at each other: nodes of the outline meet. A wave of the height "
+              "of the box: its surface overturns. Both stop with state and masses as before the step.");
   Flow jet(jittered(free_patch(16, 8, {-1, -0.5}, {1, 0.5}), 0.2, 1),
            {.velocity =
                 [](Point r) {

@@ -34,7 +34,7 @@ Settings with(const std::function<void(Settings&)>& change) {
   return settings;
 }
 
-TEST_CASE("settings out of range are refused by name", "[robustness]") {
+TEST_CASE("settings out of range are rejected by name", "[robustness]") {
   const Particles water = lattice(12, 12, spacing, 1000);
   CHECK_NOTHROW(Flow(water, spacing, good));
   CHECK_THROWS_AS(Flow(water, 0, good), std::invalid_argument);
@@ -61,7 +61,7 @@ TEST_CASE("settings out of range are refused by name", "[robustness]") {
   CHECK_THROWS_WITH(kernel_named("gaussian"), Catch::Contains("cubic_spline") && Catch::Contains("wendland_c2"));
 }
 
-TEST_CASE("particles that cannot be are refused", "[robustness]") {
+TEST_CASE("invalid particles are rejected", "[robustness]") {
   const Particles water = lattice(12, 12, spacing, 1000);
   const auto changed = [&](const std::function<void(Particles&)>& change) {
     Particles particles = water;
@@ -87,11 +87,11 @@ TEST_CASE("particles that cannot be are refused", "[robustness]") {
                     "paddle 1 has no rate: must have pose and rate");
 }
 
-TEST_CASE("the motion of a paddle is asked for by one thread, few times a step, and may throw", "[robustness]") {
+TEST_CASE("the motion of a paddle is evaluated by one thread, few times a step, and may throw", "[robustness]") {
   Check check("wcsph_paddle_calls", "Calls of a paddle's functions",
               "A flume with a flap and extrapolated walls, 100 steps with two threads. The paddle's functions are the "
-              "user's: they are called outside of parallel loops, at times from 0 on, a few times a step whatever the "
-              "number of particles, and what they throw reaches the caller, with the particles as before the step.");
+              "user's: they are called outside of parallel loops, at times from 0 on, a few times a step for any "
+              "number of particles, and their exceptions reach the caller, with the particles as before the step.");
   const Settings settings{.sound_speed = 10, .walls = WallPressure::extrapolated};
   // Enough particles for two threads.
   Scene scene = flume({.length = 1, .depth = 0.25, .stroke = 0.05, .frequency = 12, .spacing = 0.005}, settings);
@@ -130,7 +130,7 @@ TEST_CASE("the motion of a paddle is asked for by one thread, few times a step, 
     check.holds(text, {value}, Bound{limit, reason});
   };
   claim("The paddle's functions are called outside of parallel loops.", static_cast<double>(in_parallel), 0,
-        "they are the user's, and may throw or share what they use");
+        "they are the user's, and may throw or share data");
   claim("The paddle's functions are called at times from 0 on.", static_cast<double>(before_zero), 0,
         "a measured motion begins at 0");
   claim("The paddle's functions are called a few times a step.", static_cast<double>(most), 20,
@@ -138,7 +138,8 @@ TEST_CASE("the motion of a paddle is asked for by one thread, few times a step, 
         "positions: 20");
 }
 
-TEST_CASE("a computation that breaks down says when and where, and keeps the last good state", "[robustness]") {
+TEST_CASE("a computation that breaks down reports time and position, and retains the last valid state",
+          "[robustness]") {
   Particles water = lattice(12, 12, spacing, 1000);
   // Two halves meet at the speed of sound: the density leaves [0.5, 1.5] rho_0.
   for (std::size_t a = 0; a < water.size(); ++a) water.u[a] = water.x[a] < 0.6 ? 40 : -40;

@@ -24,7 +24,7 @@ double memory_of(Settings settings, double& particles) {
   return (verification::live_bytes() - before) / particles;
 }
 
-TEST_CASE("the memory that SPH needs is that of its arrays", "[robustness]") {
+TEST_CASE("the memory of SPH is the sum of its arrays", "[robustness]") {
   Check check("wcsph_memory", "Weakly compressible SPH: memory",
               "Memory per particle of a dam break in a large tank after three steps. Needed are, in bytes: the "
               "particle 57; rates 40; its record, as neighbours read it, 64; with eddies stresses 32. Clusters of as "

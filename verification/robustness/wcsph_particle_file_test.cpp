@@ -76,7 +76,7 @@ TEST_CASE("a particle file is read back through its XDMF", "[robustness]") {
   Check check("wcsph_particle_file", "Particle files for ParaView",
               "Two frames of a flume, the particles of the second in another order: every DataItem of the XDMF leads "
               "to an HDF5 dataset of the shape and type it states, values and order included; the same particles give "
-              "the same bytes; without close nothing is left.");
+              "the same bytes; without close no file remains.");
   const ScratchFolder scratch("seiche_wcsph_particle_file_test");
   const Particles particles = scene().particles;
   write(scratch.path() / "waves", particles, reversed(particles));
@@ -140,9 +140,9 @@ TEST_CASE("a particle file is read back through its XDMF", "[robustness]") {
   check.holds("Both frames of the run are in the file.", {static_cast<double>(times.size())}, Bound{0, "a count", 2});
   CHECK(times == std::vector<double>{0, 0.125});
   check.holds("Every particle is a vertex of the XDMF topology.", {polyvertex ? 1.0 : 0.0},
-              Qualitative{"attributes of Topology", "what ParaView draws as points"});
-  check.holds("Shape and type of every dataset are those that the XDMF states.", {mismatches},
-              Bound{0, "ParaView refuses what does not fit"});
+              Qualitative{"attributes of Topology", "the type that ParaView draws as points"});
+  check.holds("Shape and type of every dataset agree with the XDMF.", {mismatches},
+              Bound{0, "ParaView rejects arrays of other sizes"});
   check.holds("The values read equal those written, in the order of the identities.", {wrong_values},
               Bound{0, "they are copied"});
 
@@ -160,7 +160,7 @@ TEST_CASE("a particle file is read back through its XDMF", "[robustness]") {
   for (const auto& entry : std::filesystem::directory_iterator(scratch.path())) {
     if (entry.path().filename().string().find("abandoned") != std::string::npos) ++left;
   }
-  check.holds("A run that ends before it closes its file leaves none.", {static_cast<double>(left)},
+  check.holds("A run that ends without closing its file leaves no file.", {static_cast<double>(left)},
               Bound{0, "readers never see half a file"});
 
   Refusals refusals(check);

@@ -71,14 +71,15 @@ bool same(const Flow& a, const Flow& b) {
          e.highest_density == f.highest_density && e.rebuilds == f.rebuilds && e.interactions == f.interactions;
 }
 
-TEST_CASE("a flow resumed from a kept state gives the same bytes", "[robustness]") {
+TEST_CASE("a flow resumed from a saved state gives the same bytes", "[robustness]") {
   constexpr int steps = 300;
   constexpr int apart = 37;
-  Check check("wcsph_resume", "A run that was interrupted",
-              fmt::format("Weakly compressible SPH, {} steps. Every {} steps the state is kept, and at the end flows "
-                          "that were made anew are resumed from each: in the same order, "
-                          "so that sums run in the same order. No bit of any particle differs.",
-                          steps, apart));
+  Check check(
+      "wcsph_resume", "A run that was interrupted",
+      fmt::format(
+          "Weakly compressible SPH, {} steps. Every {} steps the state is saved, and at the end new flows are resumed "
+          "from each: in the same order, so that sums run in the same order. No bit of any particle differs.",
+          steps, apart));
   for (const Problem& problem : problems()) {
     Flow whole = problem.flow();
     std::vector<FlowState> kept;
@@ -101,11 +102,12 @@ TEST_CASE("a flow resumed from a kept state gives the same bytes", "[robustness]
   }
 }
 
-TEST_CASE("a state of another flow is refused by the name of what differs, and changes nothing", "[robustness]") {
+TEST_CASE("a state of another flow is rejected by the name of the difference and leaves the flow unchanged",
+          "[robustness]") {
   Check check("wcsph_resume_refusals", "States of other flows",
-              "A flume with a flap, 20 steps old, is given states that are not its own: of another setting, paddle or "
-              "particle, or damaged. Each is refused with the name of what differs, and the flow then goes on to the "
-              "same bytes as one that was not asked.");
+              "A flume with a flap, 20 steps old, is given foreign states: of another setting, paddle or particle, or "
+              "damaged. Each is rejected with the name of the difference, and the flow then continues to the same "
+              "bytes as an undisturbed one.");
   const Problem own = problems()[2];
   const auto changed = [&](const std::function<void(Problem&)>& change) {
     Problem other = own;

@@ -25,9 +25,9 @@ PeriodicLayer layer() {
 
 const Settings water{.sound_speed = 50};
 
-TEST_CASE("bad scenes are refused with name, value and range", "[robustness]") {
+TEST_CASE("bad scenes are rejected with name, value and range", "[robustness]") {
   Check check("wcsph_bad_scenes", "Bad scenes of WCSPH",
-              "Dam break, tank, flume, periodic layer and patch with one thing wrong at a time.");
+              "Dam break, tank, flume, periodic layer and patch with one error at a time.");
   Refusals refusals(check);
   const auto bad_dam = [&](const std::vector<std::string>& words, auto change) {
     refusals.refused(words, [&] {
@@ -83,9 +83,9 @@ TEST_CASE("bad scenes are refused with name, value and range", "[robustness]") {
   refusals.refused({"2.5", "whole number"}, [] { wall(std::vector<Place>{{0, 0}, {0.25, 0}}, 0.1); });
 }
 
-TEST_CASE("the reading of surfaces refuses what has no answer", "[robustness]") {
+TEST_CASE("the reading of surfaces rejects undefined cases", "[robustness]") {
   Check check("wcsph_bad_surfaces", "Bad questions about surfaces",
-              "Volume fraction, contours, fronts with one thing wrong at a time.");
+              "Volume fraction, contours, fronts with one error at a time.");
   Refusals refusals(check);
   const Scene scene = dam_break(dam(), water);
   const VolumeFraction fraction(scene.particles, 0.065);

@@ -63,14 +63,13 @@ Errors settle(Settings settings, double time, bool full = false) {
   return {everywhere.rms(), inside.rms()};
 }
 
-TEST_CASE("what options do to the pressure of a tank at rest", "[robustness]") {
-  Check check("wcsph_still_tank", "Tank at rest: what options do to its pressure",
+TEST_CASE("the effect of options on the pressure of a tank at rest", "[robustness]") {
+  Check check("wcsph_still_tank", "Tank at rest: effect of options on the pressure",
               "1 m x 0.5 m of water, $dx = 0.025$ m, $c_0 = 10\\sqrt{2gH}$, $\\alpha = 0.1$, hydrostatic start, 1 or 2 "
-              "s. What the case `hydrostatic_sph` claims of each option is not repeated here. Then the same tank with "
-              "three full rows of wall particles on the lattice of the water, whose density at the beginning is that "
-              "of water without pressure: dynamic walls push only after the water has pressed on them, and the "
-              "pressure wave of this start stays in their densities. Extrapolation from the water with its hydrostatic "
-              "gradient finds the right pressure at once.",
+              "s. Claims of the case `hydrostatic_sph` are not repeated here. Then the same tank with three full rows "
+              "of wall particles on the lattice of the water, whose initial density is the reference density: dynamic "
+              "walls push only after compression by the water, and the pressure wave of this start stays in their "
+              "densities. Extrapolation from the water with its hydrostatic gradient finds the right pressure at once.",
               "P = rho_0 g (H - z)");
   Settings filtered, diffusive, extrapolated;
   filtered.filter_every = 30;
@@ -87,15 +86,15 @@ TEST_CASE("what options do to the pressure of a tank at rest", "[robustness]") {
   claim("Antuono, Colagrossi, Marrone and Molteni, Comput. Phys. Comm. 181 (2010) 532", "smoother",
         "The L2 error with density diffusion is at most 0.5 times the error without.",
         "L2 error over that without diffusion, 1 s", settle(diffusive, 1).all / settle({}, 1).all, 0.5,
-        "more than half: the noise is what it acts on, the pressure itself is linear");
+        "more than half: it acts on the noise, the pressure itself is linear");
   const std::string adami = "Adami, Hu and Adams, J. Comput. Phys. 231 (2012) 7057";
   const double all = settle(extrapolated, 1, true).all;
   claim(adami, "pressure", "Walls with extrapolated pressure need no pressure of their own.",
         "L2 error over rho_0 g H, 1 s", all, 0.0105,
-        "|M - 1| = 1.05 % of the pressure at the bottom, by which the derivative on the lattice is wrong");
+        "|M - 1| = 1.05 % of the pressure at the bottom, the error of the derivative on the lattice");
   claim(adami, "better", "The pressure error is below half of the error with dynamic walls.",
-        "L2 error over that of dynamic walls", all / settle({}, 1, true).all, 0.5,
-        "more than half of the error is that of the walls");
+        "L2 error over the error with dynamic walls", all / settle({}, 1, true).all, 0.5,
+        "more than half of the error is due to the walls");
 }
 
 }  // namespace seiche::verification::wcsph_still_tank_test

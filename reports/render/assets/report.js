@@ -30,7 +30,7 @@ for (const plate of document.querySelectorAll("a.plate[data-live]")) {
   tools.hidden = false;
   const find = document.getElementById("find"), failures = document.getElementById("failures");
   const hits = document.getElementById("hits"), count = document.getElementById("hits-count");
-  const kinds = [...tools.querySelectorAll("[name=evidence]")];
+  const kinds = [...tools.querySelectorAll("[name=evidence]")], choices = [...tools.querySelectorAll("select")];
   const body = document.querySelector(".grid tbody"), rows = [...body.rows];
   const heads = [...document.querySelectorAll(".grid th[data-sort]")];
   let sorted = "";
@@ -50,6 +50,7 @@ for (const plate of document.querySelectorAll("a.plate[data-live]")) {
     for (const row of rows) {
       const text = (row.textContent + " " + row.dataset.words).toLowerCase();
       row.hidden = !(all(wanted, text) || all(asTyped, text)) || (failures.checked && row.dataset.flaw === "no")
+        || choices.some(choice => choice.value && choice.value !== row.dataset[choice.name])
         || !kinds.some(kind => kind.checked && kind.value === row.dataset.evidence);
       shown += !row.hidden;
     }
@@ -67,6 +68,7 @@ for (const plate of document.querySelectorAll("a.plate[data-live]")) {
     const state = new URLSearchParams();
     if (find.value) state.set("q", find.value);
     if (failures.checked) state.set("flaw", "1");
+    for (const choice of choices) if (choice.value) state.set(choice.name, choice.value);
     const off = kinds.filter(kind => !kind.checked).map(kind => kind.value);
     if (off.length) state.set("without", off.join(","));
     if (sorted) state.set("sort", sorted);
@@ -113,7 +115,7 @@ for (const plate of document.querySelectorAll("a.plate[data-live]")) {
   };
   find.addEventListener("focus", load);
   find.addEventListener("input", () => { load(); apply(); });
-  for (const box of [failures, ...kinds]) box.addEventListener("change", apply);
+  for (const box of [failures, ...kinds, ...choices]) box.addEventListener("change", apply);
   addEventListener("keydown", event => {
     if (event.key === "/" && document.activeElement !== find) {
       event.preventDefault();
@@ -125,9 +127,10 @@ for (const plate of document.querySelectorAll("a.plate[data-live]")) {
   });
 
   const state = new URLSearchParams(location.hash.slice(1));
-  if ([...state.keys()].some(key => ["q", "flaw", "without", "sort"].includes(key))) {
+  if ([...state.keys()].some(key => ["q", "flaw", "without", "sort", "problem", "quantity"].includes(key))) {
     find.value = state.get("q") ?? "";
     failures.checked = state.has("flaw");
+    for (const choice of choices) choice.value = state.get(choice.name) ?? "";
     for (const kind of kinds) kind.checked = !(state.get("without") ?? "").split(",").includes(kind.value);
     if (state.has("sort")) sortBy(parseInt(state.get("sort")), state.get("sort").endsWith("d"));
     if (find.value) load();

@@ -61,9 +61,14 @@ const soon = () => new Promise(done => setTimeout(done, 400));
   d.getElementById("failures").click();
   found.flawed = rows(d);
   d.getElementById("failures").click();
+  const quantity = d.querySelector("[name=quantity]");
+  quantity.value = "front";
+  quantity.dispatchEvent(new w.Event("change"));
+  found.fronts = rows(d);
+  quantity.value = "";
   d.querySelector(".grid th[data-sort=text] button").click();
   found.sorted = rows(d);
-  found.linked = rows((await open(1440, "#q=bar&without=exact")).contentDocument);
+  found.linked = rows((await open(1440, "#problem=shoaling+and+breaking&q=bar&without=exact")).contentDocument);
   document.body.innerHTML = "<pre id=found></pre>";
   document.getElementById("found").textContent = JSON.stringify(found);
 })();
@@ -124,6 +129,7 @@ class FirstScreen(unittest.TestCase):
         self.assertEqual(found["all"], len(problems))
         self.assertEqual(found["without_exact"], [one["title"] for one in problems if one["evidence"] != "exact"])
         self.assertEqual(found["flawed"], ["Free drop, stretched"])
+        self.assertEqual(found["fronts"], [one["title"] for one in problems if one["filters"]["quantity"] == "front"])
         self.assertEqual(found["sorted"], sorted(found["sorted"]))
         self.assertEqual(found["linked"], ["Submerged bar (Luth et al., A)"])
 

@@ -115,8 +115,9 @@ class Quality(Whole):
                          [["Exact", "1", "1", "0", "0", "0", "100 %", "21 % to 100 %"],
                           ["Linear", "11", "7", "1", "2", "1", "70 %", "40 % to 89 %"],
                           ["All parts", "12", "8", "1", "2", "1", "73 %", "43 % to 90 %"]])
+        self.assertIn("<summary>Linear: 4</summary>", page)
         self.assertEqual(self.cells(page, 'id="survivors"')[1:],
-                         [["Linear"], ["linear.cpp:8", "sign: 8", "survived by 8"],
+                         [["linear.cpp:8", "sign: 8", "survived by 8"],
                           ["linear.cpp:9", "sign: 9", "survived by 9"],
                           ["linear.cpp:10", "sign: 10", "baseline only by 10"],
                           ["linear.cpp:11", "sign: 11", "equivalent never read"]])

@@ -246,7 +246,7 @@ exact::SelfTest DispersiveManufactured::self_test() const {
   // Eighth-order differences over h = (551 eps)^(1/9) = 0.037 scales: weights of 2.1/h in sum.
   const double limit = 4 * exact::epsilon * par.length / label_scale * 2.1 / 0.037;
   const std::string reason =
-      "labels and places up to L rounded four times, in the scale of the finest mode, divided by the spacing of "
+      "labels and positions up to L rounded four times, in the scale of the finest mode, divided by the spacing of "
       "eighth-order differences";
   return {
       {"H x_a = d - e cos(kb a)", mass.value(), limit, reason},

@@ -125,10 +125,9 @@ ReflectionPattern measured_reflection(const SurfaceLattice& surface, double ampl
       .value = pattern.wall.height, .uncertainty = std::abs(finer - pattern.wall.height), .resolution = {}};
   const Found found = find_crests(surface, amplitude, bands);
   if (found.incident.size() < fewest_rows) {
-    throw std::runtime_error(
-        fmt::format("{} rows between {:g} and {:g} of the lattice's height have a crest: at least {} are needed for "
-                    "the incident wave",
-                    found.incident.size(), bands.incident_from, bands.incident_to, fewest_rows));
+    throw std::runtime_error(fmt::format(
+        "{} rows between {:g} and {:g} of the grid's height have a crest: at least {} are needed for the incident wave",
+        found.incident.size(), bands.incident_from, bands.incident_to, fewest_rows));
   }
   Fitted incident = fitted(surface, found.incident);
   pattern.incident_amplitude = median_height(incident.crests);

@@ -28,12 +28,12 @@ double interpolated(const std::array<double, N>& abscissae, const std::array<dou
 void require_size(const char* name, std::span<const double> values, std::size_t nodes) {
   if (values.size() != nodes) {
     throw std::invalid_argument(
-        fmt::format("surface lattice: {} has {} values, must have {}: one for each node", name, values.size(), nodes));
+        fmt::format("surface grid: {} has {} values, must have {}: one for each node", name, values.size(), nodes));
   }
   const auto bad = std::find_if_not(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
   if (bad != values.end()) {
     throw std::invalid_argument(
-        fmt::format("surface lattice: {} of node {} is {}, must be finite", name, bad - values.begin(), *bad));
+        fmt::format("surface grid: {} of node {} is {}, must be finite", name, bad - values.begin(), *bad));
   }
 }
 
@@ -42,7 +42,7 @@ void require_size(const char* name, std::span<const double> values, std::size_t 
 void require_complete(const SurfaceLattice& surface) {
   if (surface.columns < 4 || surface.rows < 4) {
     throw std::invalid_argument(
-        fmt::format("surface lattice of {} by {} cells: must be at least 4 by 4", surface.columns, surface.rows));
+        fmt::format("surface grid of {} by {} cells: must be at least 4 by 4", surface.columns, surface.rows));
   }
   const std::size_t nodes = (surface.columns + 1) * (surface.rows + 1);
   require_size("x", surface.x, nodes);

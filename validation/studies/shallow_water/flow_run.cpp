@@ -95,11 +95,12 @@ void claim_conservation(const Claims<FlowRun>& claims, const FlowProblem& proble
         .resolution = flow.discretisation.text(),
         .told = {.operations = operations(particles, static_cast<double>(flow.steps())), .scale = total / particles}};
   };
+  const std::string by = suffix.empty() ? "" : " by the rearrangement as written";
   const Amount most_operations = Amount::told_by_run(operations(count, most_steps(problem, discretisation, time)));
   claims.from("conservation law of mass")
       .check(
-          "mass" + suffix, "The mass change equals the booked inflow minus outflow to round-off.",
-          "mass minus the mass booked at the ends [m^2]",
+          "mass" + suffix, fmt::format("The mass change equals the recorded inflow minus outflow to round-off{}.", by),
+          "mass minus the recorded mass through the ends [m^2]",
           [told](const FlowRun& flow) { return told(flow, flow.mass_defect, flow.mass); },
           Roundoff{.operations = most_operations,
                    .scale = Amount::told_by_run(mass),
@@ -107,8 +108,9 @@ void claim_conservation(const Claims<FlowRun>& claims, const FlowProblem& proble
                              "over N particles, of the size N m, count as N^2 such operations each"});
   claims.from("conservation law of momentum")
       .check(
-          "momentum" + suffix, "The momentum change equals the booked impulses at the ends to round-off.",
-          "momentum minus the impulses booked at the ends [m^3/s]",
+          "momentum" + suffix,
+          fmt::format("The momentum change equals the recorded impulses at the ends to round-off{}.", by),
+          "momentum minus the recorded impulses at the ends [m^3/s]",
           [told](const FlowRun& flow) { return told(flow, flow.momentum_defect, flow.momentum_scale); },
           Roundoff{.operations = most_operations,
                    .scale = Amount::told_by_run(momentum),
@@ -136,7 +138,7 @@ void claim_as_written(const Claims<FlowRun>& all, const Values& values, const st
              .width = 0.01 * std::abs(missed),
              .reason =
                  "the text leaves the pressure at a shared side and equal densities open; in this interpretation the "
-                 "states beside a jump deviate from the jump conditions by up to 5 %, and the jump speed with them"},
+                 "states beside a discontinuity deviate from the jump conditions by up to 5 %, and so does its speed"},
             known)
         .check(id + "_as_written", text, quantity, measure, bound);
   };
@@ -150,13 +152,13 @@ void claim_as_written(const Claims<FlowRun>& all, const Values& values, const st
                       "mean"});
   if (front == nullptr) return;
   check(
-      "front", "The position of the jump by the rearrangement as written is exact within one particle width.",
-      "position of the jump minus the exact position [m]",
+      "front", "The position of the discontinuity by the rearrangement as written is exact within one particle width.",
+      "position of the discontinuity minus the exact position [m]",
       [front = *front](const FlowRun& flow) { return front_position(flow.profile(), front) - front.position; },
       Bound{.limit = problem.length() / static_cast<double>(d.particles),
-            .reason = "the initial particle width: one particle holds the jump"});
+            .reason = "the initial particle width: one particle contains the discontinuity"});
   check(
-      "width", "The width of the jump by the rearrangement as written is one particle.",
+      "width", "The width of the discontinuity by the rearrangement as written is one particle.",
       "particles between 5 % and 95 % of the depth difference",
       [front = *front](const FlowRun& flow) { return front_width(flow.profile(), front); },
       Bound{.limit = 1, .reason = "the paper hands the jump from one particle to the next"});

@@ -116,14 +116,13 @@ void Contest::show(evidence::Exhibit& exhibit, const Units& units) const {
                 fmt::format("Of each model at its resolutions, coarse to fine, at t = {:.4g}.", trial_.end),
                 {.x = "processor time [s]", .y = fmt::format("error [{}]", units.error), .log_x = true, .log_y = true});
   const auto in = [](const std::string& name, const std::string& unit) { return name + " [" + unit + "]"; };
-  evidence::Table& table = add_table(
-      exhibit, "side_by_side", "Comparison of the models",
-      fmt::format(
-          "Error, processor time and change of energy and momentum until t = {:.4g}; continued to t = {:.4g}, or until {}.",
-          trial_.end, trial_.last, trial_.useless_in_words),
-      {"model", "size of", in("size", units.size), in("error", units.error), in("uncertainty", units.error),
-       "processor time [s]", "energy [1]", "momentum [1]", in("lasted", units.time), in("asked", units.time),
-       "broke by"});
+  evidence::Table& table = add_table(exhibit, "side_by_side", "Comparison of the models",
+                                     fmt::format("Error, processor time and change of energy and momentum until t = "
+                                                 "{:.4g}; continued to t = {:.4g}, or until {}.",
+                                                 trial_.end, trial_.last, trial_.useless_in_words),
+                                     {"model", "size of", in("size", units.size), in("error", units.error),
+                                      in("uncertainty", units.error), "processor time [s]", "energy [1]",
+                                      "momentum [1]", in("lasted", units.time), in("asked", units.time), "broke by"});
   for (const Entry& entry : entries_) {
     for (const Attempt& one : entry.attempts) {
       table.rows.push_back({entry.name, entry.size_of, one.size, one.error, one.uncertainty, one.seconds, one.energy,
@@ -139,6 +138,7 @@ void Contest::show(evidence::Exhibit& exhibit, const Units& units) const {
 std::vector<long> ladder_to(long finest, const std::vector<double>& parts) {
   std::vector<long> all;
   for (const double part : parts) all.push_back(std::lround(static_cast<double>(finest) * part));
+  all.erase(std::unique(all.begin(), all.end()), all.end());
   return all;
 }
 

@@ -32,7 +32,7 @@ struct Racer {
 
 struct Contender {
   std::string id, name;
-  std::string size_of;  ///< "row", "particle spacing"
+  std::string size_of;  ///< "row height", "particle spacing"
   Role role = Role::computed;
   std::vector<long> resolutions;  ///< coarse to fine
   std::function<double(long)> size;

@@ -180,18 +180,19 @@ std::vector<Contender> tank_contenders(const TankWave& wave, const DispersiveSta
     return [&wave, start](long n) { return start(wave, n); };
   };
   const std::vector<double> four{0.375, 0.5, 0.75, 1};
-  return {{"particles", "Gauss particles", "cell", Role::computed, ladder_to(sizes.particles, {0.5, 0.75, 1}), over,
-           starting(start_particles)},
-          {"mesh", "Lagrangian mesh", "row", Role::peer, ladder_to(sizes.mesh, four), over, starting(start_mesh)},
-          {"dirichlet", "Dirichlet cells", "row", Role::peer, ladder_to(sizes.cells, {0.5, 1}), over,
-           starting(start_dirichlet)},
-          {"variable-mass", "variable mass", "row", Role::peer, ladder_to(sizes.cells, {0.333, 0.5, 0.667, 1}), over,
-           starting(start_variable_mass)},
-          {"dispersive", "dispersive shallow water", "marker spacing", Role::data,
-           ladder_to(sizes.markers, {0.125, 0.25, 0.5, 1}), over,
-           [&wave, dispersive](long n) { return start_dispersive(wave, dispersive, n); }},
-          {"sph", "SPH", "particle spacing", Role::peer, ladder_to(sizes.sph, {0.5, 0.75, 1}), over,
-           starting(start_in_box)}};
+  return {
+      {"particles", "Gauss particles", "cell size", Role::computed, ladder_to(sizes.particles, {0.5, 0.75, 1}), over,
+       starting(start_particles)},
+      {"mesh", "Lagrangian mesh", "row height", Role::peer, ladder_to(sizes.mesh, four), over, starting(start_mesh)},
+      {"dirichlet", "Dirichlet cells", "row height", Role::peer, ladder_to(sizes.cells, {0.5, 1}), over,
+       starting(start_dirichlet)},
+      {"variable-mass", "variable mass", "row height", Role::peer, ladder_to(sizes.cells, {0.333, 0.5, 0.667, 1}), over,
+       starting(start_variable_mass)},
+      {"dispersive", "dispersive shallow water", "node spacing", Role::data,
+       ladder_to(sizes.markers, {0.125, 0.25, 0.5, 1}), over,
+       [&wave, dispersive](long n) { return start_dispersive(wave, dispersive, n); }},
+      {"sph", "SPH", "particle spacing", Role::peer, ladder_to(sizes.sph, {0.5, 0.75, 1}), over,
+       starting(start_in_box)}};
 }
 
 }  // namespace seiche::validation

@@ -123,7 +123,7 @@ void Mesh::require_bottom() const {
     const double level = bottom ? bottom->slope(x[k], y[k]).elevation : z[0];
     const double allowed = bottom ? on_bottom * std::abs(level) : 0;
     require_that(std::abs(z[k] - level) <= allowed, "z = {:.17g} of bottom node {}; allowed: {}, {:.17g}", z[k], k,
-                 bottom ? "that of the bottom" : "that of all others", level);
+                 bottom ? "the bottom's elevation" : "the others' elevation", level);
   }
   if (!bottom) return;
   require_that(!free_bottom, "a free bottom and an uneven one; allowed: one of them");
