@@ -12,8 +12,9 @@ water. Steps are a fifth of the spacing, except SPH, which chooses its own. Each
 together.
 
 **What is compared.** Positions on the rim (markers, outline nodes, particles initially within a spacing of it) with the
-exact positions at t = 1, when the drop is five times as long as wide; the processor time until then; the change of energy and
-momentum. Each model then continues to t = 3, unless it breaks down or its rim error exceeds the minor semi-axis.
+exact positions at t = 1, when the drop is five times as long as wide; the processor time until then; the change of
+energy and momentum. Each model then continues to t = 3, unless it breaks down or its rim error exceeds the minor
+semi-axis.
 
 **What to look at.** The exact velocities are linear, and the space of the Gauss-principle particles contains them:
 their error is smaller by a factor of a hundred than all others, and they complete. The mesh error is first-order along
@@ -50,7 +51,6 @@ Dispersive shallow water cannot represent a drop, because its water columns stan
 #include "validation/studies/side_by_side/contest.hpp"
 
 namespace seiche::validation::cases::drop_models {
-namespace {
 
 using exact::StretchingDrop;
 
@@ -443,8 +443,6 @@ Contest compute(const Run& run) {
 void show(const Contest& contest, const Values& /*values*/, evidence::Exhibit& exhibit) {
   contest.show(exhibit, {.size = "radius", .error = "radius", .time = "1/strain rate"});
 }
-
-}  // namespace
 
 void drop_models(Case& c) {
   c.title = "Model comparison: a stretched drop";

@@ -5,8 +5,8 @@ Basilisk (S. Popinet) includes it in the tests of its Green-Naghdi solver and pu
 
 **What is compared.** The largest elevation error over the amplitude, each method at its own points: nodes here, cell
 centres there; as a function of the number of cells, of the work (nodes times solves; a step of the one-step scheme is
-one solve) and of the processor time, from the initial nodes to the last step. For the one-step scheme also the error between
-its nodes, where the surface is straight.
+one solve) and of the processor time, from the initial nodes to the last step. For the one-step scheme also the error
+between its nodes, where the surface is straight.
 
 **How long the steps are.** Work is inverse to $h\tau$. With errors $Sh^2$ in space and $B\tau^p$ in time it is least
 where $Sh^2 = \tfrac{p}{2} B\tau^p$: equal for $p = 2$, also where both have opposite signs and cancel. Both are
@@ -40,7 +40,6 @@ the machine and are not claimed: Basilisk's point comes from another machine.
 #include "validation/instruments/processor_time.hpp"
 
 namespace seiche::validation::cases::soliton_le_metayer {
-namespace {
 
 using dispersive_shallow_water_1d::Flow;
 using dispersive_shallow_water_1d::Scheme;
@@ -391,8 +390,6 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   by_cells.points("Basilisk", each(peer, &PeerPoint::cells), each(peer, &PeerPoint::error), Role::peer);
   by_time.points("Basilisk", std::vector{peer_seconds}, std::vector{peer[3].error}, Role::peer);
 }
-
-}  // namespace
 
 void soliton_le_metayer(Case& c) {
   c.title = "Solitary wave over 32 depths: cost of accuracy";
