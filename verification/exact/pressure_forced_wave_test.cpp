@@ -15,11 +15,9 @@
 #include "verification/refinement.hpp"
 #include "verification/self_test_claims.hpp"
 
-namespace pressure_forced_wave_test {
+namespace seiche::verification::pressure_forced_wave_test {
 
-using namespace seiche;
 using exact::PressureForcedWave;
-using namespace seiche::verification;
 
 using Complex = std::complex<double>;
 
@@ -275,4 +273,4 @@ TEST_CASE("a wave pushed by a pressure refuses what it is not for", "[exact]") {
   CHECK_THROWS_AS(unit.action(4), std::invalid_argument);
 }
 
-}  // namespace pressure_forced_wave_test
+}  // namespace seiche::verification::pressure_forced_wave_test
