@@ -57,7 +57,6 @@ struct Envelope {
 Envelope envelope(const Channel& waves) {
   auto flow = basin_flow({.begin = 0,
                           .end = channel + waves.layer(),
-                          .south = 0,
                           .north = 2 * waves.spacing,
                           .bottom = [](double, double) { return -depth; },
                           .spacing = waves.spacing,
@@ -137,8 +136,8 @@ TEST_CASE("gauges read the surface where they stand while the lattice moves", "[
   double numbers = 0;
   for (const double z : outside.read({before.x, before.y, before.z})) numbers += std::isnan(z) ? 0 : 1;
   check.from("validation/instruments/plan_gauges.hpp")
-      .that("outside", "Gauges outside the water have no reading.", "gauges outside that read a number",
-            {numbers}, Bound{0, "none stands in the water"});
+      .that("outside", "Gauges outside the water have no reading.", "gauges outside that read a number", {numbers},
+            Bound{0, "none stands in the water"});
 }
 
 }  // namespace seiche::verification::laboratory_basin_test
