@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cmath>
+#include <memory>
 #include <utility>
 #include <vector>
 
+#include "seiche/divergence.hpp"
 #include "seiche/geometry/plan_bottom.hpp"
 
 namespace seiche {
@@ -49,5 +51,25 @@ class PolynomialBottom final : public PlanBottom {
 
   std::vector<Term> terms_;
 };
+
+/// z = -depth, known between two places alone.
+class EndingBottom final : public PlanBottom {
+ public:
+  EndingBottom(double depth, double begin, double end) : depth_(depth), begin_(begin), end_(end) {}
+  [[nodiscard]] Slope slope(double x, double y) const override { return {.elevation = integral(x, y).elevation}; }
+  [[nodiscard]] Integral integral(double x, double y) const override {
+    if (!(x > begin_ && x < end_)) {
+      throw Infeasible(x, "({:g}, {:g}) is outside the bottom; allowed: x within {:g}", x, y, end_);
+    }
+    return {.elevation = -depth_, .value = -depth_ * x};
+  }
+
+ private:
+  double depth_, begin_, end_;
+};
+
+inline std::shared_ptr<const PolynomialBottom> polynomial_bottom(std::vector<PolynomialBottom::Term> terms) {
+  return std::make_shared<const PolynomialBottom>(std::move(terms));
+}
 
 }  // namespace seiche

@@ -31,7 +31,6 @@ $gH/c_0^2$ of the water.
 #include "validation/studies/wcsph/sph_settings.hpp"
 
 namespace seiche::validation::cases::hydrostatic_sph {
-namespace {
 
 using wcsph::Settings;
 
@@ -217,8 +216,6 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
     panel.line("rho g times depth", std::array{0.0, 1.0}, std::array{1.0, 0.0}, Role::exact);
   }
 }
-
-}  // namespace
 
 void hydrostatic_sph(Case& c) {
   c.title = "Water at rest in a tank: weakly compressible SPH and its walls";

@@ -26,7 +26,6 @@ until `time` with every scheme, with fourth-order compositions, and with both ki
 #include "validation/instruments/each.hpp"
 
 namespace seiche::validation::cases::lake_at_rest_1d {
-namespace {
 
 namespace model = dispersive_shallow_water_1d;
 
@@ -219,8 +218,6 @@ void show(const std::vector<OfLake>& r, const Values& values, evidence::Exhibit&
   }
   draw(exhibit, all);
 }
-
-}  // namespace
 
 void lake_at_rest_1d(Case& c) {
   c.title = "Lake at rest under the dispersive model";

@@ -33,7 +33,6 @@ fixed-grid scheme with hydrostatic reconstruction, whose shoreline is the last c
 #include "validation/instruments/manufactured/cell_average.hpp"
 
 namespace seiche::validation::cases::thacker {
-namespace {
 
 namespace particles = shallow_water_particles;
 
@@ -310,8 +309,6 @@ std::vector<WantedTable> wanted(const Values& values) {
                              channel_length(values), middle - radius / 2, middle + radius / 2, times.back(),
                              times.size())}}};
 }
-
-}  // namespace
 
 void thacker(Case& c) {
   c.title = "Oscillation of water in a parabolic basin";

@@ -22,7 +22,6 @@ published with both.
 #include "validation/instruments/each.hpp"
 
 namespace seiche::validation::cases::thacker_bowl {
-namespace {
 
 const std::string source = "Thacker (1981)";
 
@@ -122,8 +121,6 @@ std::vector<WantedTable> wanted(const Values& values) {
        .points = [=](double) { return water.wet(time); },
        .exact = {fmt::format("{} --grid x={}:{}:201,y=0,t={}", water.command, -2 * radius, 2 * radius, time)}}};
 }
-
-}  // namespace
 
 void thacker_bowl(Case& c) {
   c.title = "Circulating or pulsating water in a paraboloid";

@@ -32,7 +32,6 @@ values.
 #include "validation/studies/shallow_water/judged_states.hpp"
 
 namespace seiche::validation::cases::bore_reflection {
-namespace {
 
 /// The reflection at a right wall, or its mirror image at a left one.
 struct Mirrored {
@@ -250,8 +249,6 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   }
   measure_own(wanted_states(s.states()), submitted_profile(r.figure.flow.profile()), exhibit);
 }
-
-}  // namespace
 
 void bore_reflection(Case& c) {
   c.title = "Reflection of a bore by a wall";

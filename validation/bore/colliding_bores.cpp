@@ -20,7 +20,6 @@ outgoing ones.
 #include "validation/studies/shallow_water/judged_states.hpp"
 
 namespace seiche::validation::cases::colliding_bores {
-namespace {
 
 /// What the parameters decide.
 struct SetUp {
@@ -119,8 +118,6 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   exhibit.measure("star_depth", s.bores.star().depth);
   exhibit.measure("star_velocity", s.bores.star().velocity);
 }
-
-}  // namespace
 
 void colliding_bores(Case& c) {
   c.title = "Collision of two bores";

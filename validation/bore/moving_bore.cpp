@@ -45,7 +45,6 @@ smears the bore over several cells.
 #include "validation/studies/shallow_water/judged_states.hpp"
 
 namespace seiche::validation::cases::moving_bore {
-namespace {
 
 namespace particles = shallow_water_particles;
 
@@ -261,8 +260,6 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   draw_history(exhibit, r.history, s.bore);
   measure_own(wanted_states(s.states()), submitted_profile(r.figure.flow.profile()), exhibit);
 }
-
-}  // namespace
 
 void moving_bore(Case& c) {
   c.title = "Bore into still water";

@@ -22,7 +22,6 @@ gradient.
 #include "validation/studies/shallow_water/profile_measures.hpp"
 
 namespace seiche::validation::cases::shock_formation {
-namespace {
 
 namespace particles = shallow_water_particles;
 
@@ -143,8 +142,6 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   exhibit.measure("piston_depth_simple_wave", r.set_up.simple);
   exhibit.measure("largest_depth", largest(depths));
 }
-
-}  // namespace
 
 void shock_formation(Case& c) {
   c.title = "Formation of a bore ahead of a piston";

@@ -50,7 +50,6 @@ the comparison with potential flow is independent of the fit.
 #include "validation/instruments/polyline_distance.hpp"
 
 namespace seiche::validation::cases::breaking_gauss {
-namespace {
 
 using gauss_particles::Flow;
 using gauss_particles::LatticePlan;
@@ -353,8 +352,6 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   exhibit.measure("crest_wider_cells", r.coarse_crest);
   exhibit.measure("penalty_loss", r.loss);
 }
-
-}  // namespace
 
 void breaking_gauss(Case& c) {
   c.title = "Wave forced by surface pressure until breaking: Gauss-principle particles";

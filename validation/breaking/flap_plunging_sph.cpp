@@ -58,7 +58,6 @@ with the spacing.
 #include "validation/studies/wcsph/sph_settings.hpp"
 
 namespace seiche::validation::cases::flap_plunging_sph {
-namespace {
 
 // A flap makes two waves so high that the second one plunges: weakly compressible SPH.
 
@@ -423,8 +422,6 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   }
   draw(exhibit, models, r, period);
 }
-
-}  // namespace
 
 void flap_plunging_sph(Case& c) {
   c.title = "Plunging of the second wave of a flap: weakly compressible SPH";

@@ -39,7 +39,6 @@ a fraction of a cell.
 #include "validation/instruments/processor_time.hpp"
 
 namespace seiche::validation::cases::overturning_gauss {
-namespace {
 
 using exact::OverturningWave;
 using gauss_particles::Flow;
@@ -261,8 +260,6 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
     exhibit.measure("rms_distance_sph_" + instants[i].id, r.sph.distances[i].rms);
   }
 }
-
-}  // namespace
 
 void overturning_gauss(Case& c) {
   c.title = "Overturning of a steep wave: Gauss-principle particles beside SPH";

@@ -43,7 +43,6 @@ per cent of potential flow.
 #include "validation/studies/wcsph/sph_settings.hpp"
 
 namespace seiche::validation::cases::overturning_sph {
-namespace {
 
 const std::string source = "Longuet-Higgins and Cokelet (1976); Baker, Meiron and Orszag (1982)";
 constexpr double gravity = 9.81;
@@ -335,8 +334,6 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
     add_particles(exhibit, finest.times[i], finest.snapshots[i], settings_of(values));
   }
 }
-
-}  // namespace
 
 void overturning_sph(Case& c) {
   c.title = "Overturning and plunging of a wave: weakly compressible SPH beside potential flow";

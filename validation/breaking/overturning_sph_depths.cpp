@@ -31,7 +31,6 @@ shown and not scored: the jet consists of few particles and lags.
 #include "validation/studies/wcsph/sph_settings.hpp"
 
 namespace seiche::validation::cases::overturning_sph_depths {
-namespace {
 
 const std::string source = "Longuet-Higgins and Cokelet (1976); Baker, Meiron and Orszag (1982)";
 constexpr double gravity = 9.81;
@@ -214,8 +213,6 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
     exhibit.measure(fmt::format("touches_{}", name), run->touches);
   }
 }
-
-}  // namespace
 
 void overturning_sph_depths(Case& c) {
   c.title = "Overturning of waves of several heights and depths: weakly compressible SPH";

@@ -29,7 +29,6 @@ thick jet near the crest.
 #include "validation/instruments/agreement.hpp"
 
 namespace seiche::validation::cases::overturning_wave {
-namespace {
 
 using exact::OverturningWave;
 
@@ -169,8 +168,6 @@ std::vector<WantedTable> wanted(const Values& values) {
            "The time at which the front is vertical agrees with potential flow within the tolerance, by default 3.5 %.",
            source)}}};
 }
-
-}  // namespace
 
 void overturning_wave(Case& c) {
   c.title = "Overturning and plunging of a wave";

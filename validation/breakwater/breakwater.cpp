@@ -35,7 +35,6 @@ force on a plain wall. Much longer waves load both walls in phase.
 #include "validation/instruments/each.hpp"
 
 namespace seiche::validation::cases::breakwater {
-namespace {
 
 using lagrangian_mesh_2d::Flow;
 
@@ -237,8 +236,6 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
                           {.x = "t [sqrt(depth/g)]", .y = "force/height [rho g depth]"}, {"frank-breakwater"});
   draw_forces(panel, r.gentle.history);
 }
-
-}  // namespace
 
 void breakwater(Case& c) {
   c.title = "A breakwater whose front and rear are loaded in antiphase";

@@ -48,7 +48,6 @@ remainder has twice the frequency.
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 
 namespace seiche::validation::cases::breakwater_high_wave {
-namespace {
 
 using lagrangian_mesh_2d::Flow;
 
@@ -341,7 +340,8 @@ void claim_statement(const Claims<Results>& claims, const SetUp& s) {
       },
       Bound{.limit = Amount::told_by_run(1),
             .reason = "0.1 for small waves, and the second order: the contribution of the contact point and a second "
-                      "harmonic, grown on the berm, that loads front and rear in phase; at 1 the breakwater would bear as much as a plain "
+                      "harmonic, grown on the berm, that loads front and rear in phase; at 1 the breakwater would bear "
+                      "as much as a plain "
                       "wall"});
 }
 
@@ -426,8 +426,6 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
       add_panel(exhibit, "mesh", "The mesh over the berm", "At the end of the high wave's run.", mesh_axes("", window)),
       "mesh", r.high.wave.flow, window);
 }
-
-}  // namespace
 
 void breakwater_high_wave(Case& c) {
   c.title = "A breakwater loaded in antiphase: a high wave";

@@ -40,7 +40,6 @@ Waves of $L/h = 15$ load both in phase.
 #include "validation/instruments/each.hpp"
 
 namespace seiche::validation::cases::breakwater_periodic {
-namespace {
 
 // How far a tank has settled in linear theory: the wave of a piston that starts softly, at a distance, analysed over
 // the same periods as the run's (harmonic.hpp), over the settled wave.
@@ -382,8 +381,6 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
                             .title = fmt::format("waves of L/h = {:.3g}", one->small.load.wavelength)}));
   }
 }
-
-}  // namespace
 
 void breakwater_periodic(Case& c) {
   c.title = "Periodic waves on a breakwater whose front and rear are loaded in antiphase";

@@ -38,7 +38,6 @@ which holds the measured front back, is absent. The claim `rms` is therefore a k
 #include "validation/studies/gauss_particles/gauss_frame.hpp"
 
 namespace seiche::validation::cases::collapse_gauss {
-namespace {
 
 using gauss_particles::Flow;
 
@@ -320,8 +319,6 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   draw(r, values, exhibit);
   for (const GaussFrame& frame : run.frames) frame.add_to(exhibit, "a");
 }
-
-}  // namespace
 
 void collapse_gauss(Case& c) {
   c.title = "Collapse of a water column: Gauss-principle particles";

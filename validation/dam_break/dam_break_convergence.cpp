@@ -20,7 +20,6 @@ width for all; over a dry bed the particles cover only the water.
 #include "validation/studies/shallow_water/contest.hpp"
 
 namespace seiche::validation::cases::dam_break_convergence {
-namespace {
 
 struct Contender {
   const char* label;
@@ -166,8 +165,6 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
     by_number.line("order 1", guide, std::vector<double>{0.1 * 50 / guide[0], 0.1 * 50 / guide[1]}, Role::guide);
   }
 }
-
-}  // namespace
 
 void dam_break_convergence(Case& c) {
   c.title = "Convergence of dam breaks";

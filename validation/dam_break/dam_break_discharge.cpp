@@ -29,7 +29,6 @@ the printed 0.1384 is read off a graph.
 #include "validation/studies/shallow_water/profile_measures.hpp"
 
 namespace seiche::validation::cases::dam_break_discharge {
-namespace {
 
 namespace particles = shallow_water_particles;
 
@@ -163,8 +162,6 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
     exhibit.measure("discharge_exact_" + s.id, s.exact);
   }
 }
-
-}  // namespace
 
 void dam_break_discharge(Case& c) {
   c.title = "Discharge through the section of the dam";

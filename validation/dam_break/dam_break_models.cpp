@@ -46,7 +46,6 @@ shallow water has no vertical front.
 #include "validation/studies/side_by_side/contest.hpp"
 
 namespace seiche::validation::cases::dam_break_models {
-namespace {
 
 // A column of water twice as high as wide collapses over a dry bed, by six models, for a contest. Its width, gravity
 // and density are 1.
@@ -288,8 +287,6 @@ Contest compute(const Run& run) {
 void show(const Contest& contest, const Values& /*values*/, evidence::Exhibit& exhibit) {
   contest.show(exhibit, {.size = "width", .error = "width", .time = "sqrt(width/g)"});
 }
-
-}  // namespace
 
 void dam_break_models(Case& c) {
   c.title = "Model comparison: a collapsing column";

@@ -37,7 +37,6 @@ it therefore gives the maximum velocity, from which the sound speed follows.
 #include "validation/studies/wcsph/particle_frames.hpp"
 
 namespace seiche::validation::cases::dam_break_sph {
-namespace {
 
 SphDam dam_of(const Values& values) {
   const double height = values.real("column_height");
@@ -161,8 +160,6 @@ std::vector<std::string> data_choices() {
   choices.emplace_back("none");
   return choices;
 }
-
-}  // namespace
 
 void dam_break_sph(Case& c) {
   c.title = "Collapse of a water column: weakly compressible SPH";

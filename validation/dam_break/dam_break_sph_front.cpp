@@ -37,7 +37,6 @@ with 1.28 from the points.
 #include "validation/studies/wcsph/spacing_ladder.hpp"
 
 namespace seiche::validation::cases::dam_break_sph_front {
-namespace {
 
 const std::string publication = literature::plunging_sph + ", section 3.1";
 const std::string experiment = "Martin and Moyce (1952), figure 3";
@@ -219,8 +218,6 @@ void show(const Results& runs, const Values& values, evidence::Exhibit& exhibit)
   measure_convergence(exhibit, "speed", sizes, of_all(runs, front_speed));
   draw(exhibit, dam_of(values, values.integer("cells")), runs, data, column_front("interfoam", values));
 }
-
-}  // namespace
 
 void dam_break_sph_front(Case& c) {
   c.title = "The dam break of Martin and Moyce by weakly compressible SPH";

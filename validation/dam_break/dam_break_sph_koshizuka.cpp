@@ -27,7 +27,6 @@ The experiment lags both.
 #include "validation/studies/wcsph/spacing_ladder.hpp"
 
 namespace seiche::validation::cases::dam_break_sph_koshizuka {
-namespace {
 
 constexpr double width = 0.146;
 constexpr double gravity = 9.81;
@@ -118,8 +117,6 @@ void show(const Results& runs, const Values& values, evidence::Exhibit& exhibit)
   panel.line(mps.label, mps.T, mps.X, Role::guide);
   for (const ColumnFront& data : {first, second}) panel.points(data.label, data.T, data.X, Role::data);
 }
-
-}  // namespace
 
 void dam_break_sph_koshizuka(Case& c) {
   c.title = "The dam break of Koshizuka and Oka by weakly compressible SPH";

@@ -37,7 +37,6 @@ water.
 #include "validation/studies/wcsph/speed_field.hpp"
 
 namespace seiche::validation::cases::dam_break_sph_turbulence {
-namespace {
 
 const std::string publication = literature::plunging_sph + ", figure 3";
 constexpr double a = 0.3;
@@ -218,8 +217,6 @@ void show(const Results& runs, const Values& values, evidence::Exhibit& exhibit)
   for (std::size_t k = 0; k < times.size(); ++k) add_particles(exhibit, times[k], runs.back().particles[k], settings);
   draw(exhibit, runs, data);
 }
-
-}  // namespace
 
 void dam_break_sph_turbulence(Case& c) {
   c.title = "A dam break with sub-particle-scale turbulence";

@@ -35,7 +35,6 @@ restoring force; the source reports this loss of quality.
 #include "validation/instruments/each.hpp"
 
 namespace seiche::validation::cases::dam_pressure_dirichlet {
-namespace {
 
 using exact::ReleasedColumn;
 using free_lagrangian::Mesh;
@@ -56,8 +55,7 @@ Mesh column(const Values& values, long ny) {
   const double height = values.real("height");
   const double length = values.real("length");
   return free_lagrangian::layer_mesh(
-      {.begin = 0,
-       .end = length,
+      {.end = length,
        .bottom = 0,
        .level = height,
        .columns = static_cast<int>(std::lround(static_cast<double>(ny) * length / height)),
@@ -215,8 +213,6 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
                                     {.x = "cells over the height", .y = "error", .log_x = true, .log_y = true}));
   study.tabulate(r.tabulated, exhibit);
 }
-
-}  // namespace
 
 void dam_pressure_dirichlet(Case& c) {
   c.title = "Pressure at the release of a water column, on the Dirichlet mesh";

@@ -28,7 +28,6 @@ of the water, and ends metres short of the front. MacCormack's scheme breaks dow
 #include "validation/studies/shallow_water/flow_run.hpp"
 
 namespace seiche::validation::cases::dry_dam_break {
-namespace {
 
 constexpr double dam = 10;
 /// Steps 13, 26, 39 of ten particles; the same times for any number of them.
@@ -132,8 +131,6 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   report_contest(exhibit, r.set_up.channel, r.flow.time(), r.contestants);
   exhibit.measure("max_courant", r.flow.max_courant);
 }
-
-}  // namespace
 
 void dry_dam_break(Case& c) {
   c.title = "Dam break over a dry bed with ten particles";

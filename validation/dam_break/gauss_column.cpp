@@ -18,8 +18,7 @@ std::string GaussColumn::resolution() const {
 gauss_particles::Flow GaussColumn::start() const {
   const auto across = static_cast<std::size_t>(cells * per_cell);
   const std::size_t up = across * static_cast<std::size_t>(aspect);
-  gauss_particles::Particles particles = gauss_particles::layer({.begin = 0,
-                                                                 .end = 1,
+  gauss_particles::Particles particles = gauss_particles::layer({.end = 1,
                                                                  .columns = across,
                                                                  .rows = up,
                                                                  .surface = [this](double) { return aspect; },

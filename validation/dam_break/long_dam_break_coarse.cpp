@@ -11,7 +11,6 @@ over the whole channel by its viscosity $\Delta x^2/\tau$.
 #include "validation/dam_break/wet_dam_break.hpp"
 
 namespace seiche::validation::cases::long_dam_break_coarse {
-namespace {
 
 WetDamBreak setup() {
   return {.ratio = 0.1,
@@ -21,8 +20,6 @@ WetDamBreak setup() {
           .atlas = {"bzz-fig-26"},
           .misses = {{"front", -12.1135}, {"width", 2}}};
 }
-
-}  // namespace
 
 void long_dam_break_coarse(Case& c) {
   c.title = "Dam break in a long channel by 22 particles";

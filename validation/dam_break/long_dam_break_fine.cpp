@@ -10,7 +10,6 @@ A longer channel: dam at $x = 100$ m in $[0, 200]$ m, $h_0/h_1 = 0.1$, 200 parti
 #include "validation/dam_break/wet_dam_break.hpp"
 
 namespace seiche::validation::cases::long_dam_break_fine {
-namespace {
 
 WetDamBreak setup() {
   return {.ratio = 0.1,
@@ -21,8 +20,6 @@ WetDamBreak setup() {
           .atlas = {"bzz-fig-25"},
           .misses = {{"cell_l1_h", 0.0139586}, {"front", 3.7177}, {"width", 89}}};
 }
-
-}  // namespace
 
 void long_dam_break_fine(Case& c) {
   c.title = "Dam break in a long channel by 200 particles";

@@ -22,7 +22,6 @@ a tenth of its Courant number Lax-Friedrichs, whose viscosity is $\Delta x^2/\ta
 #include "validation/studies/shallow_water/flow_run.hpp"
 
 namespace seiche::validation::cases::long_dam_break_schemes {
-namespace {
 
 /// What the parameters decide.
 struct SetUp {
@@ -119,8 +118,6 @@ Results compute(const Run& run) {
 void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
   report_contest(exhibit, r.set_up.problem, r.set_up.time, r.contestants, {"bzz-fig-24"});
 }
-
-}  // namespace
 
 void long_dam_break_schemes(Case& c) {
   c.title = "Dam break in a long channel by difference schemes";

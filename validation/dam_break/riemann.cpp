@@ -31,7 +31,6 @@ scheme loses its order.
 #include "validation/studies/shallow_water/judged_states.hpp"
 
 namespace seiche::validation::cases::riemann {
-namespace {
 
 // The Riemann problem that the parameters of the case `riemann` set.
 
@@ -186,8 +185,6 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
           s.time, s.particles() ? "particles" : "cells"));
   draw_frame(figure, exhibit, r.flow, r.flow.frames.back(), fmt::format("t = {:g} s", s.time));
 }
-
-}  // namespace
 
 void riemann(Case& c) {
   c.title = "Riemann problem with given states";

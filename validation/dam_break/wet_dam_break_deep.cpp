@@ -11,13 +11,10 @@ $\tau = 0.05$ s (their figure 23).
 #include "validation/dam_break/wet_dam_break.hpp"
 
 namespace seiche::validation::cases::wet_dam_break_deep {
-namespace {
 
 WetDamBreak setup() {
   return {.ratio = 0.5, .times = {0, 2, 4, 6}, .atlas = {"bzz-fig-23"}, .misses = {{"width", 2}}};
 }
-
-}  // namespace
 
 void wet_dam_break_deep(Case& c) {
   c.title = "Dam break over deep water, h0/h1 = 0.5";

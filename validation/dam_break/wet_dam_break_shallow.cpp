@@ -17,13 +17,10 @@ from the start. The rearrangement as written has a plateau 5 % too low.
 #include "validation/dam_break/wet_dam_break.hpp"
 
 namespace seiche::validation::cases::wet_dam_break_shallow {
-namespace {
 
 WetDamBreak setup() {
   return {.ratio = 0.1, .times = {0, 2, 4, 6}, .atlas = {"bzz-fig-22"}, .misses = {{"width", 21}}};
 }
-
-}  // namespace
 
 void wet_dam_break_shallow(Case& c) {
   c.title = "Dam break over shallow water, h0/h1 = 0.1";

@@ -39,7 +39,6 @@ program solves the equations that the formula describes.
 #include "validation/instruments/each.hpp"
 
 namespace seiche::validation::cases::dispersion_1d {
-namespace {
 
 using dispersive_shallow_water_1d::Stepping;
 using dispersive_shallow_water_1d::stepping_named;
@@ -213,8 +212,6 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   exhibit.measure("omega_theory", r.own.front().theory);
   draw(exhibit, r.figure);
 }
-
-}  // namespace
 
 void dispersion_1d(Case& c) {
   c.title = "Frequency of small standing waves: discrete dispersion relation";

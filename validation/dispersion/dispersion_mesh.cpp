@@ -43,7 +43,6 @@ too few. Deviations of the measured frequencies from the relation are round-off.
 #include "validation/studies/lagrangian_mesh_2d/mesh_standing_mode.hpp"
 
 namespace seiche::validation::cases::dispersion_mesh {
-namespace {
 
 using exact::LagrangianMeshDispersion;
 using lagrangian_mesh_2d::Stepping;
@@ -389,8 +388,6 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   draw(r.figure, exhibit);
   draw_rows(exhibit);
 }
-
-}  // namespace
 
 void dispersion_mesh(Case& c) {
   c.former_names = {"dispersion_2d"};

@@ -51,7 +51,6 @@ Dispersive shallow water cannot represent a drop, because its water columns stan
 #include "validation/studies/side_by_side/contest.hpp"
 
 namespace seiche::validation::cases::drop_models {
-namespace {
 
 using exact::StretchingDrop;
 
@@ -444,8 +443,6 @@ Contest compute(const Run& run) {
 void show(const Contest& contest, const Values& /*values*/, evidence::Exhibit& exhibit) {
   contest.show(exhibit, {.size = "radius", .error = "radius", .time = "1/strain rate"});
 }
-
-}  // namespace
 
 void drop_models(Case& c) {
   c.title = "Model comparison: a stretched drop";

@@ -35,7 +35,6 @@ at cut cells, the sums over particles, and the steps.
 #include "validation/studies/gauss_particles/gauss_frame.hpp"
 
 namespace seiche::validation::cases::ellipse_gauss {
-namespace {
 
 using exact::AffineDrop;
 using gauss_particles::FieldSpace;
@@ -219,8 +218,6 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   draw_pressure(exhibit, r);
   exhibit.measure("rms_linear_fields", r.linear.rms);
 }
-
-}  // namespace
 
 void ellipse_gauss(Case& c) {
   c.title = "Stretching of a liquid drop: Gauss-principle particles";

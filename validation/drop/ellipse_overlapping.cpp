@@ -43,7 +43,6 @@ until t = 1 to 0.01 % of the stretch with a spacing of 0.1, to 2.4 % with 0.05.
 #include "validation/instruments/exact/affine_drop.hpp"
 
 namespace seiche::validation::cases::ellipse_overlapping {
-namespace {
 
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
@@ -273,8 +272,6 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   exhibit.measure("taken_at_start", r.own.taken);
   exhibit.measure("particles", static_cast<double>(r.own.first.size()));
 }
-
-}  // namespace
 
 void ellipse_overlapping(Case& c) {
   c.title = "Stretching of a liquid drop: overlapping particles";

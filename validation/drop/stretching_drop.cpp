@@ -19,7 +19,6 @@ semi-axes and the pressure as functions of time.
 #include "validation/instruments/each.hpp"
 
 namespace seiche::validation::cases::stretching_drop {
-namespace {
 
 const std::string source = "Dirichlet (1860); Longuet-Higgins (1972)";
 
@@ -61,8 +60,6 @@ std::vector<WantedTable> wanted(const Values& values) {
                            .requirements = close("The pressure at the centre agrees with the exact solution.")}},
            .points = [times = times_of(values)](double) { return times; }}};
 }
-
-}  // namespace
 
 void stretching_drop(Case& c) {
   c.title = "Stretching of a free liquid drop into an ellipse";

@@ -38,7 +38,6 @@ has no viscosity by which this could be explained. The time step is not the caus
 #include "validation/instruments/straight_line.hpp"
 
 namespace seiche::validation::cases::vortex_overlapping {
-namespace {
 
 using overlapping_particles::Flow;
 using overlapping_particles::Particles;
@@ -330,8 +329,6 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   estimate("distance_at_end", r.distance_at_end);
   if (std::isfinite(r.quarter_time())) exhibit.measure("quarter_incoherent_time", r.quarter_time());
 }
-
-}  // namespace
 
 void vortex_overlapping(Case& c) {
   c.title = "Decay of a vortex into noise: overlapping particles";

@@ -25,7 +25,6 @@ written in the paper within one particle, but a metre downstream.
 #include "validation/studies/shallow_water/flow_run.hpp"
 
 namespace seiche::validation::cases::stationary_jump {
-namespace {
 
 using exact::StationaryJump;
 
@@ -101,8 +100,6 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   draw_sketches(exhibit, s.problem, s.jump);
   show_figure(r.figure, exhibit, "Particles passing a stationary jump", {"bzz-fig-18"});
 }
-
-}  // namespace
 
 void stationary_jump(Case& c) {
   c.title = "Stationary hydraulic jump";

@@ -14,8 +14,8 @@ test systems: a pendulum of `links` links (two: the spherical double pendulum), 
 length, masses are 1 and 1.3 in turn.
 
 **What is compared.** The largest coordinate error at `time` against an adaptive method of order 8, for steps of $8\tau$
-to $\tau/4$, as a function of the number of solves with $A = JM^{-1}J^T$ and of processor time. The scheme beside RK2, RK4,
-RATTLE, the fully conservative implicit variant, fourth-order compositions, and two adaptive methods.
+to $\tau/4$, as a function of the number of solves with $A = JM^{-1}J^T$ and of processor time. The scheme beside RK2,
+RK4, RATTLE, the fully conservative implicit variant, fourth-order compositions, and two adaptive methods.
 
 **What to look at.** The statement holds, by a factor of 13 at equal steps. For small errors over a short time, however,
 high-order methods are far cheaper than either.
@@ -43,7 +43,6 @@ high-order methods are far cheaper than either.
 #include "validation/instruments/processor_time.hpp"
 
 namespace seiche::validation::cases::one_step_scheme {
-namespace {
 
 using mechanics::AdaptiveMethod;
 using mechanics::Integrator;
@@ -163,7 +162,7 @@ struct Curves {
   std::vector<long> steps;
   std::vector<std::pair<Integrator, WorkPrecision>> fixed;
   std::vector<std::pair<std::string, WorkPrecision>> adaptive;
-  double uncertainty = 0;  ///< of the state they are compared with
+  double uncertainty = 0;    ///< of the state they are compared with
   WorkPrecision projection;  ///< Frank's projection scheme (21), with steps of the parameter tau
 
   [[nodiscard]] const WorkPrecision& of(Integrator integrator) const {
@@ -289,8 +288,6 @@ void show(const Curves& curves, const Values& values, evidence::Exhibit& exhibit
                   curves.projection.cpu.front() / curves.of(judged(values)).cpu[middle]);
   draw_curves(exhibit, curves);
 }
-
-}  // namespace
 
 void one_step_scheme(Case& c) {
   c.title = "The one-step scheme for constrained systems against Runge-Kutta";

@@ -10,7 +10,6 @@ beside it. Models without that current predict the opposite.
 #include "validation/laboratory/laboratory_case.hpp"
 
 namespace seiche::validation::cases::breaking_on_shoal {
-namespace {
 
 using namespace laboratory;
 
@@ -25,8 +24,6 @@ Experiment experiment(const Values& /*values*/) {
                      .quantity = {"H", "1", "wave height over the incident one"},
                      .readings = {mean(0, {-1.6, 1.6}), mean(0, {-3.1, -2.2}), mean(0, {2.2, 3.1}), misfit(0, {})}}}};
 }
-
-}  // namespace
 
 void breaking_on_shoal(Case& c) {
   c.title = "Breaking of regular waves on an elliptic shoal";

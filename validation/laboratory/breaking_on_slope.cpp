@@ -16,7 +16,6 @@ m: linear wavemakers generate free second harmonics that beat along the flat.
 #include "validation/studies/dispersive_shallow_water/dispersive_flume.hpp"
 
 namespace seiche::validation::cases::breaking_on_slope {
-namespace {
 
 using namespace laboratory;
 
@@ -120,8 +119,6 @@ Experiment experiment(const Values& values) {
               "breaking points agree. Waves of the Euler equations at the toe would show whether the boundary "
               "condition is the cause"};
 }
-
-}  // namespace
 
 void breaking_on_slope(Case& c) {
   c.title = "Shoaling and breaking of regular waves on a slope";

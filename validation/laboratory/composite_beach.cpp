@@ -16,15 +16,12 @@ wave. The run-up of B is a jet at the wall, and C breaks: models without breakin
 #include "validation/laboratory/laboratory_case.hpp"
 
 namespace seiche::validation::cases::composite_beach {
-namespace {
 
 using namespace laboratory;
 
 Experiment experiment(const Values& values) {
   return composite_beach_experiment(values.text("wave"));
 }
-
-}  // namespace
 
 void composite_beach(Case& c) {
   c.title = "A solitary wave on a beach of three slopes before a wall";

@@ -15,15 +15,12 @@ the wall and leaves it dry.
 #include "validation/laboratory/laboratory_case.hpp"
 
 namespace seiche::validation::cases::composite_beach_breaking {
-namespace {
 
 using namespace laboratory;
 
 Experiment experiment(const Values& /*values*/) {
   return composite_beach_experiment("C");
 }
-
-}  // namespace
 
 void composite_beach_breaking(Case& c) {
   c.title = "Breaking of a solitary wave on a beach of three slopes";

@@ -10,7 +10,6 @@ arrival times. Pressure peaks are not scored. Broken water contains air, and a w
 #include "validation/laboratory/laboratory_case.hpp"
 
 namespace seiche::validation::cases::dam_break_box {
-namespace {
 
 using namespace laboratory;
 
@@ -42,8 +41,6 @@ Experiment experiment(const Values& /*values*/) {
   }
   return {.source = source, .parts = {heights, pressure}, .files = {"kleefsman_2005_dam_break_box/box.stl"}};
 }
-
-}  // namespace
 
 void dam_break_box(Case& c) {
   c.title = "Dam break against a box";

@@ -26,7 +26,6 @@ d)/H$ = 0.99 to 0.79 at the wall for $T$ from 3.4 to 5.4; the measured value is 
 #include "validation/studies/wcsph/sph_settings.hpp"
 
 namespace seiche::validation::cases::dam_break_wall_pressure {
-namespace {
 
 using namespace laboratory;
 
@@ -97,8 +96,6 @@ Experiment experiment(const Values& values) {
               "cause unknown: the computed head belongs to shallow water without friction, 0.8 to 1, compared with 0.6 "
               "measured"};
 }
-
-}  // namespace
 
 void dam_break_wall_pressure(Case& c) {
   c.title = "Pressure of a dam break on a wall, with repeats";

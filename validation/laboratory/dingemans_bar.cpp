@@ -16,7 +16,6 @@ dispersion relations.
 #include "validation/studies/dispersive_shallow_water/dispersive_flume.hpp"
 
 namespace seiche::validation::cases::dingemans_bar {
-namespace {
 
 using namespace laboratory;
 
@@ -76,8 +75,6 @@ Experiment experiment(const Values& /*values*/) {
               "as in the same test at half the scale: the measured energy behind the bar is 20 % below that before it, "
               "and this model is energy-conserving"};
 }
-
-}  // namespace
 
 void dingemans_bar(Case& c) {
   c.title = "Regular waves over a submerged bar: the flume of Dingemans";

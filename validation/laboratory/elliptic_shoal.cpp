@@ -19,7 +19,6 @@ difference.
 #include "validation/studies/dispersive_shallow_water/wave_basin.hpp"
 
 namespace seiche::validation::cases::elliptic_shoal {
-namespace {
 
 using namespace laboratory;
 
@@ -105,8 +104,6 @@ Experiment experiment(const Values& values) {
               "cause unknown: the computed amplitude on y = 0 is 10 % above the measured one over the shoal and 10 % "
               "below it 4 m behind the focus"};
 }
-
-}  // namespace
 
 void elliptic_shoal(Case& c) {
   c.title = "Regular waves on an elliptic shoal";

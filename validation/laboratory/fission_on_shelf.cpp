@@ -10,7 +10,6 @@ m; models without friction overestimate them.
 #include "validation/laboratory/laboratory_case.hpp"
 
 namespace seiche::validation::cases::fission_on_shelf {
-namespace {
 
 using namespace laboratory;
 
@@ -32,8 +31,6 @@ Experiment experiment(const Values& /*values*/) {
   }
   return {.source = source, .parts = {part}, .files = {"matsuyama_2007_fission/bed.csv"}};
 }
-
-}  // namespace
 
 void fission_on_shelf(Case& c) {
   c.title = "Fission of a long wave into solitons on a shelf";

@@ -13,15 +13,12 @@ scheme, shallow-water particles in `gated_dam_break_particles`, and weakly compr
 #include "validation/laboratory/laboratory_case.hpp"
 
 namespace seiche::validation::cases::gated_dam_break {
-namespace {
 
 using namespace laboratory;
 
 Experiment experiment(const Values& /*values*/) {
   return gated_dam_break_in_shallow_water("muscl", "shallow water, finite volumes");
 }
-
-}  // namespace
 
 void gated_dam_break(Case& c) {
   c.title = "Dam break over water behind a gate";

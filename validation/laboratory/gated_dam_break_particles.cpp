@@ -14,15 +14,12 @@ common error comes from the equations, not from the schemes.
 #include "validation/laboratory/laboratory_case.hpp"
 
 namespace seiche::validation::cases::gated_dam_break_particles {
-namespace {
 
 using namespace laboratory;
 
 Experiment experiment(const Values& /*values*/) {
   return gated_dam_break_in_shallow_water("H2", "shallow-water particles");
 }
-
-}  // namespace
 
 void gated_dam_break_particles(Case& c) {
   c.title = "Dam break over water behind a gate: shallow-water particles";

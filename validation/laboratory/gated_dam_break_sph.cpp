@@ -27,7 +27,6 @@ $\alpha = 0.1$ than with 0.3.
 #include "validation/studies/wcsph/sph_settings.hpp"
 
 namespace seiche::validation::cases::gated_dam_break_sph {
-namespace {
 
 using namespace laboratory;
 
@@ -90,8 +89,6 @@ Experiment experiment(const Values& values) {
   }
   return one;
 }
-
-}  // namespace
 
 void gated_dam_break_sph(Case& c) {
   c.title = "Dam break over water behind a gate: weakly compressible SPH";

@@ -14,7 +14,6 @@ therefore taken as 1.5 mm.
 #include "validation/studies/dispersive_shallow_water/dispersive_flume.hpp"
 
 namespace seiche::validation::cases::henderson_collision {
-namespace {
 
 using namespace laboratory;
 
@@ -78,8 +77,6 @@ Experiment experiment(const Values& /*values*/) {
               "the initial wave heights and positions follow the literature, up to 7 mm and 2 % from the frame at 18.5 "
               "s; viscous damping, some per cent per metre in 0.05 m of water, is not modelled"};
 }
-
-}  // namespace
 
 void henderson_collision(Case& c) {
   c.title = "Head-on collision of two solitary waves: profiles of the laboratory";

@@ -29,7 +29,6 @@ and then falls; asymmetry grows up to the shore.
 #include "validation/studies/dispersive_shallow_water/dispersive_flume.hpp"
 
 namespace seiche::validation::cases::irregular_waves_slope {
-namespace {
 
 using namespace laboratory;
 
@@ -126,8 +125,6 @@ Experiment experiment(const Values& values) {
           "leaves no waves behind a bore smears fronts: with 0.3 of it the asymmetry near the shore is half as large "
           "again, and the waves are then 20 % too high"};
 }
-
-}  // namespace
 
 void irregular_waves_slope(Case& c) {
   c.title = "Shoaling and breaking of irregular waves on a slope";

@@ -25,7 +25,6 @@ records show 0.087. See `--set wave=B` and `--set wave=C`, which breaks.
 #include "validation/laboratory/laboratory_case.hpp"
 
 namespace seiche::validation::cases::island_gauges {
-namespace {
 
 using namespace laboratory;
 
@@ -139,8 +138,6 @@ Experiment experiment(const Values& values) {
                     "below the still-water level and stays there, while the model shows the reflection from the island"
                   : "the wave breaks on the island: the model dissipates less energy than the bore of the experiment"};
 }
-
-}  // namespace
 
 void island_gauges(Case& c) {
   c.title = "A solitary wave around a conical island: gauges and run-up";

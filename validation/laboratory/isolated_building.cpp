@@ -11,7 +11,6 @@ models. The gauges read 0 at the initial water layer of 0.02 m.
 #include "validation/laboratory/laboratory_case.hpp"
 
 namespace seiche::validation::cases::isolated_building {
-namespace {
 
 using namespace laboratory;
 
@@ -43,8 +42,6 @@ Experiment experiment(const Values& /*values*/) {
           .parts = {depths, velocity},
           .files = {folder + "bathymetry.asc", folder + "building.stl", folder + "gauges.csv"}};
 }
-
-}  // namespace
 
 void isolated_building(Case& c) {
   c.title = "Dam break against an oblique building";

@@ -17,15 +17,12 @@ relation.
 #include "validation/studies/dispersive_shallow_water/dispersive_flume.hpp"
 
 namespace seiche::validation::cases::luth_bar {
-namespace {
 
 using namespace laboratory;
 
 Experiment experiment(const Values& values) {
   return luth_bar_experiment(values.text("wave"));
 }
-
-}  // namespace
 
 void luth_bar(Case& c) {
   c.title = "Regular waves over a submerged bar: the flume of Luth, Klopman and Kitou";

@@ -17,15 +17,12 @@ misfits there are 1.5 to 4 times as large.
 #include "validation/studies/dispersive_shallow_water/dispersive_flume.hpp"
 
 namespace seiche::validation::cases::luth_bar_short {
-namespace {
 
 using namespace laboratory;
 
 Experiment experiment(const Values& /*values*/) {
   return luth_bar_experiment("C");
 }
-
-}  // namespace
 
 void luth_bar_short(Case& c) {
   c.title = "Short waves over a submerged bar";

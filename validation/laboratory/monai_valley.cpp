@@ -11,7 +11,6 @@ repeats of the same wave.
 #include "validation/laboratory/laboratory_case.hpp"
 
 namespace seiche::validation::cases::monai_valley {
-namespace {
 
 using namespace laboratory;
 
@@ -42,8 +41,6 @@ Experiment experiment(const Values& /*values*/) {
           .parts = {gauges, runup},
           .files = {folder + "bathymetry.asc", folder + "incident.csv", folder + "gauges.csv"}};
 }
-
-}  // namespace
 
 void monai_valley(Case& c) {
   c.title = "The tsunami of 1993 in the valley of Monai";

@@ -15,7 +15,6 @@ measured run-up needs either. The exact solution for the smaller wave is the ref
 #include "validation/laboratory/laboratory_case.hpp"
 
 namespace seiche::validation::cases::plane_beach {
-namespace {
 
 using namespace laboratory;
 
@@ -59,8 +58,6 @@ Experiment experiment(const Values& values) {
                .readings = {at(0, wave.run_up_amplitude, Kind::run_up)}};
   return {.source = source, .parts = {profiles, runup}};
 }
-
-}  // namespace
 
 void plane_beach(Case& c) {
   c.title = "Solitary waves on a plane beach 1 : 19.85: surfaces and run-up";

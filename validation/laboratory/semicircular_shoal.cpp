@@ -16,7 +16,6 @@ point; the position of its maximum is not scored. Waves of 1 s, $kh$ = 1.9, need
 #include "validation/studies/dispersive_shallow_water/wave_basin.hpp"
 
 namespace seiche::validation::cases::semicircular_shoal {
-namespace {
 
 using namespace laboratory;
 
@@ -52,7 +51,6 @@ Submitted compute(const Run& run, double coarsening) {
   const auto [amplitude, settled, periods] = train_of(period);
   auto flow = basin_flow({.begin = 0,
                           .end = 31,
-                          .south = 0,
                           .north = half_width,
                           .bottom = bottom,
                           .raster = 0.1016,
@@ -105,8 +103,6 @@ Experiment experiment(const Values& values) {
           .model = basin_model,
           .coarsenings = {1, 1.5, 2}};
 }
-
-}  // namespace
 
 void semicircular_shoal(Case& c) {
   c.title = "Regular waves on a semicircular shoal, incident amplitude known to 10 %";

@@ -12,7 +12,6 @@ not scored.
 #include "validation/laboratory/laboratory_case.hpp"
 
 namespace seiche::validation::cases::shelf_and_cone {
-namespace {
 
 using namespace laboratory;
 
@@ -48,8 +47,6 @@ Experiment experiment(const Values& /*values*/) {
           .parts = {gauges, velocity},
           .files = {"lynett_2010_shelf_cone/bathymetry.asc", "lynett_2010_shelf_cone/gauges.csv"}};
 }
-
-}  // namespace
 
 void shelf_and_cone(Case& c) {
   c.title = "A solitary wave on a shelf with a conical island";

@@ -15,7 +15,6 @@ stated height, without friction, which the source calls negligible.
 #include "validation/studies/dispersive_shallow_water/dispersive_flume.hpp"
 
 namespace seiche::validation::cases::solitary_shoaling {
-namespace {
 
 using namespace laboratory;
 
@@ -63,8 +62,6 @@ Experiment experiment(const Values& /*values*/) {
           .compute = compute,
           .model = "dispersive shallow water"};
 }
-
-}  // namespace
 
 void solitary_shoaling(Case& c) {
   c.title = "Shoaling of a solitary wave until breaking";

@@ -19,7 +19,6 @@ travelled. In the theory of modulated waves the first crest slowly grows beyond 
 #include "validation/studies/dispersive_shallow_water/dispersive_flume.hpp"
 
 namespace seiche::validation::cases::undular_bore_crests {
-namespace {
 
 using namespace laboratory;
 
@@ -63,8 +62,6 @@ Experiment experiment(const Values& /*values*/) {
   return {
       .source = source, .parts = {part}, .compute = compute, .model = "dispersive shallow water, improved dispersion"};
 }
-
-}  // namespace
 
 void undular_bore_crests(Case& c) {
   c.title = "The first crest of an undular bore";

@@ -39,7 +39,6 @@ run with a growth of more than 1 % in its last fifth is marked, and the limit of
 #include "validation/mach_reflection/reflection_run.hpp"
 
 namespace seiche::validation::cases::mach_reflection {
-namespace {
 
 using exact::MachReflection;
 
@@ -255,8 +254,6 @@ void show(const Results& all, const Values& /*values*/, evidence::Exhibit& exhib
   draw_history(exhibit, all);
   tabulate(exhibit, all);
 }
-
-}  // namespace
 
 void mach_reflection(Case& c) {
   c.title = "Reflection of a solitary wave at a wall, with and without a Mach stem";

@@ -23,7 +23,6 @@ follow a power of $h$.
 #include "validation/mach_reflection/reflection_run.hpp"
 
 namespace seiche::validation::cases::mach_reflection_convergence {
-namespace {
 
 const std::string source = "Frank (1994), section 4.3";
 
@@ -139,8 +138,6 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   }
   exhibit.measure("a_w", r.usual.wall.back());
 }
-
-}  // namespace
 
 void mach_reflection_convergence(Case& c) {
   c.title = "Mach reflection: sensitivity to grid, step, window and solver";

@@ -35,7 +35,6 @@ plateau is lower; the criterion there is 0.99 of the plateau, and the boundary i
 #include "validation/mach_reflection/reflection_reference.hpp"
 
 namespace seiche::validation::cases::mach_reflection_curves {
-namespace {
 
 using exact::MachReflection;
 
@@ -325,8 +324,6 @@ void show(const Results& all, const Values& values, evidence::Exhibit& exhibit) 
     if (series.amplitude == 0.3) draw_angle_law(exhibit, series, angle_law(series, last_of_law), last_of_law);
   }
 }
-
-}  // namespace
 
 void mach_reflection_curves(Case& c) {
   c.title = "Reflected and wall amplitudes of solitary waves against the angle";

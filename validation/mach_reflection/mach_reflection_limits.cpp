@@ -43,7 +43,6 @@ depth lose is a grid error.
 #include "validation/mach_reflection/reflection_sweep.hpp"
 
 namespace seiche::validation::cases::mach_reflection_limits {
-namespace {
 
 using exact::MachReflection;
 
@@ -340,8 +339,6 @@ void show(const Results& all, const Values& /*values*/, evidence::Exhibit& exhib
          wave.stem() ? fmt::format("{:.2f}", settling) : std::string("-"), rounded(finest.seconds, 10)});
   }
 }
-
-}  // namespace
 
 void mach_reflection_limits(Case& c) {
   c.title = "Mach reflection by two models: limits of fine grids, small waves and long times";

@@ -27,7 +27,6 @@ does not separate a stem from regular reflection are rejected. Small waves settl
 #include "validation/mach_reflection/reflection_reference.hpp"
 
 namespace seiche::validation::cases::mach_reflection_theory {
-namespace {
 
 using exact::MachReflection;
 
@@ -150,8 +149,6 @@ std::vector<WantedTable> wanted(const Values& values) {
   for (const Number& one : numbers_of(values)) table.quantities.push_back(one.wanted);
   return {table};
 }
-
-}  // namespace
 
 void mach_reflection_theory(Case& c) {
   c.title = "Mach reflection of a small solitary wave: theory, accurate to the amplitude, 10 %";

@@ -26,7 +26,6 @@ a larger angle with the wall. The amplitude is nearly constant along the stem.
 #include "validation/mach_reflection/reflection_run.hpp"
 
 namespace seiche::validation::cases::mach_stem_growth {
-namespace {
 
 const std::string source = "Frank (1994), section 4.3, figure 6";
 constexpr double between_patterns = 5;  // time
@@ -185,8 +184,6 @@ void show(const Development& development, const Values& values, evidence::Exhibi
   length.line("straight line through the last half", std::vector{0.0, development.time.back()},
               std::vector{line.at(0), line.at(development.time.back())}, Role::guide);
 }
-
-}  // namespace
 
 void mach_stem_growth(Case& c) {
   c.title = "Growth of a Mach stem";

@@ -39,7 +39,6 @@ The stem of the hexahedra is 1 % lower.
 #include "validation/mach_reflection/surface_part.hpp"
 
 namespace seiche::validation::cases::melville_channel {
-namespace {
 
 using dispersive_shallow_water_2d::Flow;
 using dispersive_shallow_water_2d::Lattice;
@@ -269,8 +268,6 @@ void show(const Results& all, const Values& /*values*/, evidence::Exhibit& exhib
     exhibit.measure(fmt::format("a_i_{:g}{}", angle, by), finest.incident.value());
   }
 }
-
-}  // namespace
 
 void melville_channel(Case& c) {
   c.title = "Early growth of a Mach stem in a channel with a turned wall";

@@ -19,7 +19,6 @@ Try `--set p0=-0.1 --set half_width=6.5 --set time=800`: no soliton at all.
 #include "validation/moving_pressure/pressure_regimes.hpp"
 
 namespace seiche::validation::cases::moving_pressure_1d {
-namespace {
 
 struct SetUp {
   PressureSource source;
@@ -67,8 +66,6 @@ void show(const PressureWaves& waves, const Values& values, evidence::Exhibit& e
   waves.draw_ridges(figure);
   waves.draw_at_source(figure);
 }
-
-}  // namespace
 
 void moving_pressure_1d(Case& c) {
   c.title = "Solitons ahead of a pressure patch at the critical speed";

@@ -23,7 +23,6 @@ overtaken and decays: a soliton that does not escape. At $w = 4$ every such elev
 #include "validation/moving_pressure/pressure_regimes.hpp"
 
 namespace seiche::validation::cases::moving_pressure_regimes {
-namespace {
 
 struct Computed {
   PressureRegime regime;
@@ -142,8 +141,6 @@ void show(const Results& results, const Values& /*values*/, evidence::Exhibit& e
     show_pressure_waves(exhibit, "wide-suction_fine_", "wide-suction_fine-leader", *results.fine, soliton_threshold);
   }
 }
-
-}  // namespace
 
 void moving_pressure_regimes(Case& c) {
   c.title = "Pressure and suction at the critical speed: solitons ahead or periodic surface";

@@ -67,7 +67,7 @@ dispersive_shallow_water_2d::Rectangle water(const Options& options) {
   const double length = options.spacing * static_cast<double>(options.columns);
   const double width = options.spacing * static_cast<double>(options.rows);
   dispersive_shallow_water_2d::Rectangle rectangle{
-      .begin = 0, .end = length, .south = 0, .north = width, .columns = options.columns, .rows = options.rows};
+      .begin = 0, .end = length, .north = width, .columns = options.columns, .rows = options.rows};
   if (options.flow == "hump") {
     rectangle.elevation = [=, a = options.amplitude](double x, double y) {
       const double r2 = (x - length / 2) * (x - length / 2) + (y - width / 2) * (y - width / 2);

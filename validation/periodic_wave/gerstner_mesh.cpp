@@ -37,7 +37,6 @@ cells, slightly more on finer meshes.
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 
 namespace seiche::validation::cases::gerstner_mesh {
-namespace {
 
 using exact::GerstnerWave;
 using lagrangian_mesh_2d::Flow;
@@ -254,8 +253,6 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   draw_wave(r.flows.front(), *r.wave, exhibit);
   study.tabulate(r.refinement, exhibit);
 }
-
-}  // namespace
 
 void gerstner_mesh(Case& c) {
   c.former_names = {"gerstner_2d"};

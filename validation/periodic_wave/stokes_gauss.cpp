@@ -36,7 +36,6 @@ which is not Frank's, suppresses them; the energy that it dissipates is booked.
 #include "validation/periodic_wave/surface_fit.hpp"
 
 namespace seiche::validation::cases::stokes_gauss {
-namespace {
 
 using exact::StokesWave;
 using gauss_particles::Flow;
@@ -106,8 +105,7 @@ Flow flow_of(const SetUp& s, const StokesWave& wave, const Values& values) {
     const auto v = wave.velocity(x, std::min(r.y, wave.elevation(x) - 1e-13));
     return Point{v.u, v.v};
   };
-  return Flow(gauss_particles::layer({.begin = 0,
-                                      .end = s.length,
+  return Flow(gauss_particles::layer({.end = s.length,
                                       .columns = static_cast<std::size_t>(s.cells * side),
                                       .rows = static_cast<std::size_t>(std::lround(s.depth / s.cell()) * side),
                                       .surface = [&](double x) { return wave.elevation(x - s.crest()); },
@@ -249,8 +247,6 @@ void show(const Results& results, const Values& values, evidence::Exhibit& exhib
     exhibit.measure(r.set_up.named("free_particles"), r.free_particles);
   }
 }
-
-}  // namespace
 
 void stokes_gauss(Case& c) {
   c.title = "Steep periodic waves: Gauss-principle particles";

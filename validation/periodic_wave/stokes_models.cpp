@@ -41,7 +41,6 @@ energy, SPH does not. A longer wave has less dispersion, and the dispersive mode
 #include "validation/studies/side_by_side/contest.hpp"
 
 namespace seiche::validation::cases::stokes_models {
-namespace {
 
 using exact::SerreCnoidal;
 using exact::StokesWave;
@@ -276,8 +275,6 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
     profile.line(model.name, x, y, model.role);
   }
 }
-
-}  // namespace
 
 void stokes_models(Case& c) {
   c.title = "Model comparison: a steep periodic wave";

@@ -21,7 +21,6 @@ particle methods round it off, spectral ones ring.
 #include "validation/instruments/each.hpp"
 
 namespace seiche::validation::cases::stokes_wave {
-namespace {
 
 const std::string source = "Schwartz (1974); Cokelet (1977); Longuet-Higgins (1975)";
 
@@ -89,8 +88,6 @@ std::vector<WantedTable> wanted(const Values& values) {
                                     "The phase speed agrees with the exact wave within the tolerance.", source)},
        .exact = {command + " --integrals"}}};
 }
-
-}  // namespace
 
 void stokes_wave(Case& c) {
   c.title = "Steep periodic wave of the Euler equations";

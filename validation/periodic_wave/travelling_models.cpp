@@ -123,8 +123,7 @@ Followed follow_particles(const StokesWave& wave, long cells, const std::vector<
   constexpr long side = 6;
   gauss_particles::Flow flow(
       gauss_particles::layer(
-          {.begin = 0,
-           .end = length,
+          {.end = length,
            .columns = static_cast<std::size_t>(cells * side),
            .rows = static_cast<std::size_t>(std::lround(wave.mean_depth() / cell * static_cast<double>(side))),
            .surface = [&](double x) { return wave.elevation(x); },

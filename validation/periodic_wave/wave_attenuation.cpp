@@ -48,7 +48,6 @@ wavelength per wavelength at any resolution; for longer waves the deficit is sma
 #include "validation/periodic_wave/travelling_models.hpp"
 
 namespace seiche::validation::cases::wave_attenuation {
-namespace {
 
 using exact::SerreCnoidal;
 using exact::StokesWave;
@@ -314,8 +313,6 @@ void show(const Results& results, const Values& /*values*/, evidence::Exhibit& e
     lead.line(model.name, one.way, each(one.stations, &Fundamental::lead), model.role);
   }
 }
-
-}  // namespace
 
 void wave_attenuation(Case& c) {
   c.title = "Attenuation and phase lag of waves over many wavelengths";

@@ -27,7 +27,6 @@ dispersive solver has one velocity over the depth.
 #include "validation/instruments/each.hpp"
 
 namespace seiche::validation::cases::wave_kinematics {
-namespace {
 
 const std::string source = "Cokelet (1977); Longuet-Higgins and Fenton (1974)";
 constexpr std::size_t fewest = 8;  ///< points of a section: with two, lines hide what changes over the depth
@@ -189,8 +188,6 @@ void judge(const Values& /*values*/, const Submitted& submitted, const SolverFac
   }
   record.measure("fewest_points", points.value());
 }
-
-}  // namespace
 
 void wave_kinematics(Case& c) {
   c.title = "Velocities below a periodic and a solitary wave";

@@ -26,7 +26,6 @@ the deep particle also exerts a thrust.
 #include "validation/instruments/each.hpp"
 
 namespace seiche::validation::cases::particle_rearrangement {
-namespace {
 
 using evidence::Role;
 namespace particles = shallow_water_particles;
@@ -155,8 +154,6 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   draw_parabola(exhibit, r.parabola);
   draw_rearrangement(exhibit, r, values.real("time_step"));
 }
-
-}  // namespace
 
 void particle_rearrangement(Case& c) {
   c.title = "Particles and their rearrangement";

@@ -27,7 +27,6 @@ back.
 #include "validation/instruments/each.hpp"
 
 namespace seiche::validation::cases::carrier_greenspan_runup {
-namespace {
 
 exact::SolitaryRunup wave_of(const Values& values) {
   // Beaches so gentle that waves of this height break far out, and that the quadrature takes minutes.
@@ -76,8 +75,6 @@ std::vector<WantedTable> wanted(const Values& values) {
                            "The shoreline elevation agrees with the exact solution at all times.", source)}}},
        .points = [wave, values](double) { return times_of(values, *wave); }}};
 }
-
-}  // namespace
 
 void carrier_greenspan_runup(Case& c) {
   c.title = "Run-up of a solitary wave on a plane beach: exact solution";

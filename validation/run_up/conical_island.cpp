@@ -45,7 +45,6 @@ nodes only instead of whole fronts, the run-up of C at the sides is two to four 
 #include "validation/instruments/plan/island_flow.hpp"
 
 namespace seiche::validation::cases::conical_island {
-namespace {
 
 using dispersive_shallow_water_2d::Flow;
 
@@ -365,8 +364,6 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   }
   draw_runup(exhibit, r, values.table("conical_island_runup"));
 }
-
-}  // namespace
 
 void conical_island(Case& c) {
   c.title = "A solitary wave around a conical island";

@@ -19,7 +19,6 @@ suite's models are compared with the law in `slope_run_up_mesh` and `run_up_tabl
 #include "validation/instruments/each.hpp"
 
 namespace seiche::validation::cases::hall_watts_run_up {
-namespace {
 
 using exact::HallWatts;
 
@@ -64,8 +63,6 @@ std::vector<WantedTable> wanted(const Values& values) {
            .exact = {fmt::format("seiche exact hall_watts --set amplitude=0.1,cot_slope={}", values.real("cot_slope"))},
            .reference_role = Role::data}};
 }
-
-}  // namespace
 
 void hall_watts_run_up(Case& c) {
   c.title = "Run-up of solitary waves on plane beaches of 5 to 45 degrees: law of the experiments";

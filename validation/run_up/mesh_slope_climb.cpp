@@ -15,13 +15,9 @@ using lagrangian_mesh_2d::Flow;
 Flow MeshSlopeClimb::start() const {
   const auto elevation = [&](double x) { return wave.elevation(x - crest); };
   const auto columns = static_cast<std::size_t>(std::max(1L, std::lround(toe / spacing)));
-  auto mesh = lagrangian_mesh_2d::layer_mesh_with_slope({.begin = 0,
-                                                         .end = toe,
-                                                         .depth = 1,
-                                                         .columns = columns,
-                                                         .rows = static_cast<std::size_t>(rows),
-                                                         .elevation = elevation},
-                                                        tan_slope, blend, rounding * spacing);
+  auto mesh = lagrangian_mesh_2d::layer_mesh_with_slope(
+      {.end = toe, .depth = 1, .columns = columns, .rows = static_cast<std::size_t>(rows), .elevation = elevation},
+      tan_slope, blend, rounding * spacing);
   // Sheared columns reach above the surface where it falls.
   const auto velocity = [&](Point r) {
     const exact::Velocity v = wave.velocity(r.x - crest, std::min(r.y, elevation(r.x)));

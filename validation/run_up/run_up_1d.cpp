@@ -29,7 +29,6 @@ spacings, rises slightly less: the effect of dispersion.
 #include "validation/run_up/solitary_climb.hpp"
 
 namespace seiche::validation::cases::run_up_1d {
-namespace {
 
 using dispersive::Flow;
 
@@ -152,8 +151,6 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   draw_shoreline(exhibit, r.history, theory, theory.law());
   draw_profiles(exhibit, r.surfaces, climb.cot_slope);
 }
-
-}  // namespace
 
 void run_up_1d(Case& c) {
   c.title = "Run-up of a solitary wave on a plane slope";

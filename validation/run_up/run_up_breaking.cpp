@@ -31,7 +31,6 @@ this and is not affected, except for $A = 0.3$ on the 1:19.85 beach, where the w
 #include "validation/run_up/solitary_climb.hpp"
 
 namespace seiche::validation::cases::run_up_breaking {
-namespace {
 
 // What becomes of a solitary wave that has climbed a slope and runs back, until the reflected wave has left or the run
 // fails.
@@ -306,8 +305,6 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   exhibit.measure("largest_later_over_runup_above_limit", later_heights<Largest>(r.told, false).value());
   draw_map(exhibit, r.map);
 }
-
-}  // namespace
 
 void run_up_breaking(Case& c) {
   c.title = "Breaking in run-down: limit of the dispersive model";

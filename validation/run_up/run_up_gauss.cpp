@@ -50,7 +50,6 @@ there than at a wall.
 #include "validation/studies/gauss_particles/gauss_frame.hpp"
 
 namespace seiche::validation::cases::run_up_gauss {
-namespace {
 
 // A solitary wave of the Euler equations climbs a plane slope or a wall, by free particles under Gauss's principle.
 //
@@ -153,8 +152,7 @@ gauss_particles::Flow GaussClimb::start() const {
   }
   const auto elevation = [this](double x) { return wave.elevation(x - crest()); };
   return gauss_particles::Flow(
-      gauss_particles::layer({.begin = 0,
-                              .end = end,
+      gauss_particles::layer({.end = end,
                               .columns = count(columns * static_cast<double>(per_cell)),
                               .rows = static_cast<std::size_t>(cells * per_cell),
                               .surface = [&](double x) { return std::max(elevation(x), bottom(x)); },
@@ -425,8 +423,6 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   r.finest.at_highest.add_to(exhibit, "depth");
   r.finest.at_end.add_to(exhibit, "depth");
 }
-
-}  // namespace
 
 void run_up_gauss(Case& c) {
   c.title = "Run-up of a solitary wave on a wall or a slope: Gauss-principle particles";

@@ -37,7 +37,6 @@ while the sheet falls.
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 
 namespace seiche::validation::cases::run_up_mesh_rezoned {
-namespace {
 
 using lagrangian_mesh_2d::Flow;
 
@@ -290,8 +289,6 @@ void show(const Results& all, const Values& values, evidence::Exhibit& exhibit) 
               std::abs(all.front().on.back().runup / exact_runup(values, all.front().climb) - 1));
   draw_meshes(all, values, exhibit);
 }
-
-}  // namespace
 
 void run_up_mesh_rezoned(Case& c) {
   c.title = "Run-up of high solitary waves on walls and slopes: rezoned Lagrangian mesh";

@@ -40,7 +40,6 @@ sign of friction.
 #include "validation/run_up/solitary_climb.hpp"
 
 namespace seiche::validation::cases::run_up_table {
-namespace {
 
 const std::string thesis = "Frank (1994), table of chapter 3";
 
@@ -353,8 +352,6 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   draw_table(exhibit, r.rows);
   draw_slopes(exhibit, r.rows);
 }
-
-}  // namespace
 
 void run_up_table(Case& c) {
   c.title = "Run-up of solitary waves on six slopes: Frank's table";

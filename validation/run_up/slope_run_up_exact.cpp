@@ -25,7 +25,6 @@ finite film thickness.
 #include "validation/instruments/each.hpp"
 
 namespace seiche::validation::cases::slope_run_up_exact {
-namespace {
 
 const std::string source = "Grilli, Svendsen and Subramanya (1997)";
 
@@ -106,8 +105,6 @@ std::vector<WantedTable> wanted(const Values& values) {
        .exact = {fmt::format("seiche exact slope_runup --set amplitude={},cotangent={},depth={}", amplitude, cotangent,
                              depth)}}};
 }
-
-}  // namespace
 
 void slope_run_up_exact(Case& c) {
   c.title = "Run-up of a solitary wave on a plane slope: fully nonlinear potential flow";

@@ -45,7 +45,6 @@ errors: 3 % for the highest wave on the 1:2 slope with columns an eighth wide, a
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 
 namespace seiche::validation::cases::slope_run_up_mesh {
-namespace {
 
 // The run-ups on plane slopes that the two-dimensional Lagrangian mesh is judged by, and its own, on a sequence of
 // meshes.
@@ -409,8 +408,6 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   tabulate(r.all, exhibit);
   draw(r.all, exhibit);
 }
-
-}  // namespace
 
 void slope_run_up_mesh(Case& c) {
   c.former_names = {"slope_run_up_2d"};

@@ -38,7 +38,6 @@ frictionless flow differ. Elsewhere the model is nearer to the measurements than
 #include "validation/run_up/solitary_climb.hpp"
 
 namespace seiche::validation::cases::synolakis_beach {
-namespace {
 
 using dispersive::Flow;
 
@@ -331,8 +330,6 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   }
   draw_breaking_wave(exhibit, r.breaking_laboratory, r.breaking, r.closure.surfaces);
 }
-
-}  // namespace
 
 void synolakis_beach(Case& c) {
   c.title = "Run-up of solitary waves on a 1:19.85 beach: profiles against Synolakis' laboratory and theory";

@@ -28,7 +28,6 @@ error of the other at $h = 1/16$. In the laboratory waves of $A < 0.01$ climb as
 #include "validation/run_up/solitary_climb.hpp"
 
 namespace seiche::validation::cases::synolakis_runup {
-namespace {
 
 using dispersive::TipMass;
 
@@ -167,8 +166,6 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   panel.line("run-up law", a, each(a, [](double height) { return runup_law(cot_slope, height); }), Role::guide);
   panel.line("model", a, each(std::views::values(all.runup), std::identity{}), Role::computed);
 }
-
-}  // namespace
 
 void synolakis_runup(Case& c) {
   c.title = "Run-up of solitary waves on a beach 1 : 19.85 against Synolakis' laboratory and law";

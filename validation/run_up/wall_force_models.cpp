@@ -37,7 +37,6 @@ particles, mesh, Dirichlet cells and variable-mass particles stay below 0.6 % up
 #include "validation/studies/side_by_side/tank_wave.hpp"
 
 namespace seiche::validation::cases::wall_force_models {
-namespace {
 
 using exact::SolitaryWave;
 
@@ -360,8 +359,6 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   for (const Entry& entry : r.contest.entries()) row(entry.name, r.felt.at(entry.id));
   r.contest.show(exhibit, {.size = "depth", .error = "largest force", .time = "sqrt(depth/g)"});
 }
-
-}  // namespace
 
 void wall_force_models(Case& c) {
   c.title = "Model comparison: force and run-up of a solitary wave on a wall";

@@ -29,7 +29,6 @@ depth-uniform velocity cannot represent.
 #include "validation/run_up/solitary_climb.hpp"
 
 namespace seiche::validation::cases::wall_run_up_1d {
-namespace {
 
 using exact::WallRunup;
 
@@ -159,8 +158,6 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
       .line("model", r.time, r.level, Role::computed);
   draw_comparison(exhibit, r.comparison);
 }
-
-}  // namespace
 
 void wall_run_up_1d(Case& c) {
   c.title = "Run-up of a solitary wave on a vertical wall: Serre against Euler equations";

@@ -21,7 +21,6 @@ thin sheet, and the exact values depart from every series.
 #include "validation/instruments/each.hpp"
 
 namespace seiche::validation::cases::wall_run_up_exact {
-namespace {
 
 const std::string source = "Su and Mirie (1980); Cooker, Weidman and Bale (1997)";
 
@@ -75,8 +74,6 @@ std::vector<WantedTable> wanted(const Values& values) {
        .exact = {fmt::format("seiche exact wall_runup --set amplitude={},depth={}", values.real("amplitude"),
                              values.real("depth"))}}};
 }
-
-}  // namespace
 
 void wall_run_up_exact(Case& c) {
   c.former_names = {"wall_runup"};

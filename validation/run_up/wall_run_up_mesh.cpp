@@ -36,7 +36,6 @@ mesh is rezoned (`rezone`, `run_up_mesh_rezoned`).
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 
 namespace seiche::validation::cases::wall_run_up_mesh {
-namespace {
 
 using lagrangian_mesh_2d::Flow;
 
@@ -299,8 +298,6 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   draw_wall(r, exhibit);
   if (!r.all.spacing.empty() && r.all.complete()) show_convergence(r, exhibit);
 }
-
-}  // namespace
 
 void wall_run_up_mesh(Case& c) {
   c.former_names = {"wall_run_up_2d"};

@@ -30,7 +30,6 @@ still-water level, where the pressure begins like the elevation.
 #include "validation/run_up/mesh_wall_climb.hpp"
 
 namespace seiche::validation::cases::wall_run_up_mesh_figures {
-namespace {
 
 const std::string source = "Frank (1994), section 2.2, figures 2 and 3";
 constexpr double lowest_compared = 0.1;       // of the loads
@@ -271,8 +270,6 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   tabulate(shown, exact, exhibit);
   draw(shown, exact, values.table("wall_load_exact"), exhibit);
 }
-
-}  // namespace
 
 void wall_run_up_mesh_figures(Case& c) {
   c.former_names = {"wall_run_up_2d_figures"};

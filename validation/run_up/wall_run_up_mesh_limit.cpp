@@ -37,7 +37,6 @@ meshes. With rezoning every wave completes, with a run-up as accurate as on the 
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 
 namespace seiche::validation::cases::wall_run_up_mesh_limit {
-namespace {
 
 const std::string source = "Frank (1994), chapter 2";
 
@@ -329,8 +328,6 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
     exhibit.measure(fmt::format("tangle_place_a_{:g}", amplitude), fate->tangle->place);
   }
 }
-
-}  // namespace
 
 void wall_run_up_mesh_limit(Case& c) {
   c.former_names = {"wall_run_up_2d_limit"};

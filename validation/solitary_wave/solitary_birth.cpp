@@ -52,7 +52,6 @@ The highest wave leaves the first column of the coarsest mesh sheared; it tangle
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 
 namespace seiche::validation::cases::solitary_birth {
-namespace {
 
 using exact::AsymptoticSolitary;
 using exact::SolitaryWave;
@@ -419,8 +418,6 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   tabulate_celerity(exhibit, r.coarsest(), published, r.euler);
   draw_celerity(exhibit, r.families, published, r.euler);
 }
-
-}  // namespace
 
 void solitary_birth(Case& c) {
   c.title = "Solitary wave from a local elevation";

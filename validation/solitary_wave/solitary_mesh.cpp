@@ -43,7 +43,6 @@ restoring force (`hourglass`) prevents tangling too.
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 
 namespace seiche::validation::cases::solitary_mesh {
-namespace {
 
 using exact::SolitaryWave;
 using lagrangian_mesh_2d::Flow;
@@ -310,8 +309,6 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
            "One-step scheme; other parameters as set.");
   draw_refinement(exhibit, r);
 }
-
-}  // namespace
 
 void solitary_mesh(Case& c) {
   c.former_names = {"solitary_2d"};

@@ -20,7 +20,6 @@ wrong speed: the phase shift at the last time measures it.
 #include "validation/instruments/each.hpp"
 
 namespace seiche::validation::cases::solitary_wave {
-namespace {
 
 const std::string source = "Longuet-Higgins and Fenton (1974); Dutykh and Clamond (2014)";
 
@@ -88,8 +87,6 @@ std::vector<WantedTable> wanted(const Values& values) {
                                     "The crest speed agrees with the exact wave within the tolerance.", source)},
        .exact = {command + " --integrals"}}};
 }
-
-}  // namespace
 
 void solitary_wave(Case& c) {
   c.title = "Solitary wave of the Euler equations";

@@ -36,7 +36,6 @@ dispersive model is smaller for a lower wave.
 #include "validation/studies/side_by_side/tank_wave.hpp"
 
 namespace seiche::validation::cases::solitary_wave_models {
-namespace {
 
 using exact::SolitaryWave;
 
@@ -171,8 +170,6 @@ Contest compute(const Run& run) {
 void show(const Contest& contest, const Values& /*values*/, evidence::Exhibit& exhibit) {
   contest.show(exhibit, {.size = "depth", .error = "height", .time = "sqrt(depth/g)"});
 }
-
-}  // namespace
 
 void solitary_wave_models(Case& c) {
   c.title = "Model comparison: a solitary wave";

@@ -32,7 +32,6 @@ and the runs with two and three layers end at $t = 100$.
 #include "validation/instruments/plan/plan_soliton.hpp"
 
 namespace seiche::validation::cases::soliton_2dh {
-namespace {
 
 const std::string frank = "Frank (1994), section 4.3";
 
@@ -210,8 +209,6 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   }
   draw_waves(exhibit, r);
 }
-
-}  // namespace
 
 void soliton_2dh(Case& c) {
   c.title = "A solitary wave on a coarse grid: 2DH model and hexahedral mesh";

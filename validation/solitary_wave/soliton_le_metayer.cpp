@@ -40,7 +40,6 @@ the machine and are not claimed: Basilisk's point comes from another machine.
 #include "validation/instruments/processor_time.hpp"
 
 namespace seiche::validation::cases::soliton_le_metayer {
-namespace {
 
 using dispersive_shallow_water_1d::Flow;
 using dispersive_shallow_water_1d::Scheme;
@@ -391,8 +390,6 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   by_cells.points("Basilisk", each(peer, &PeerPoint::cells), each(peer, &PeerPoint::error), Role::peer);
   by_time.points("Basilisk", std::vector{peer_seconds}, std::vector{peer[3].error}, Role::peer);
 }
-
-}  // namespace
 
 void soliton_le_metayer(Case& c) {
   c.title = "Solitary wave over 32 h: cost of accuracy";

@@ -38,7 +38,6 @@ shortest. Across, where the bed is level, they agree to 0.5 %.
 #include "validation/instruments/peak.hpp"
 
 namespace seiche::validation::cases::soliton_over_shoal {
-namespace {
 
 // A solitary wave runs along a channel over a smooth round shoal, by both models of waves in three dimensions.
 //
@@ -143,7 +142,6 @@ ShoalRun run_hexahedra(const ShoalWave& wave) {
   lagrangian_mesh_3d::Mesh mesh = lagrangian_mesh_3d::layer_mesh(
       {.begin = ShoalWave::begin,
        .end = ShoalWave::end,
-       .south = 0,
        .north = ShoalWave::width,
        .columns = cells.columns,
        .rows = cells.rows,
@@ -163,7 +161,6 @@ ShoalRun run_plan(const ShoalWave& wave) {
       dispersive_shallow_water_2d::rectangular_lattice(
           {.begin = ShoalWave::begin,
            .end = ShoalWave::end,
-           .south = 0,
            .north = ShoalWave::width,
            .columns = cells.columns,
            .rows = cells.rows,
@@ -292,8 +289,6 @@ void show(const Results& all, const Values& /*values*/, evidence::Exhibit& exhib
                     converged(all, &Pair::hexahedra, g).extrapolated);
   }
 }
-
-}  // namespace
 
 void soliton_over_shoal(Case& c) {
   c.title = "Solitary wave over a round shoal: 2DH model and hexahedral mesh";

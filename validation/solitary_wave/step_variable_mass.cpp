@@ -43,7 +43,6 @@ short. The reflected wave returns from the left wall and follows over the step.
 #include "validation/instruments/oscillation.hpp"
 
 namespace seiche::validation::cases::step_variable_mass {
-namespace {
 
 using exact::SolitaryWave;
 using exact::SolitonFission;
@@ -401,8 +400,6 @@ void show(const Results& r, const Values&, evidence::Exhibit& exhibit) {
   meshes.rows.push_back({"theory", a * r.theory.amplitude(1), a * r.theory.amplitude(2), a * r.theory.amplitude(3),
                          a * r.theory.reflection(), 0.0, "", ""});
 }
-
-}  // namespace
 
 void step_variable_mass(Case& c) {
   c.title = "Solitary wave over a step in the bed";

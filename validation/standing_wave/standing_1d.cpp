@@ -43,7 +43,6 @@ for water, and longer waves are near Tadjbakhsh and Keller's theory; the frequen
 #include "validation/instruments/each.hpp"
 
 namespace seiche::validation::cases::standing_1d {
-namespace {
 
 using dispersive_shallow_water_1d::stepping_named;
 using exact::DispersiveStandingWave;
@@ -333,8 +332,6 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   exhibit.measure("coefficient_of_water", in_water(own.wavenumber));
   exhibit.measure("weight_exponent_of_water", like_water().weight_exponent);
 }
-
-}  // namespace
 
 void standing_1d(Case& c) {
   c.title = "Frequency of standing waves against amplitude: dispersive shallow-water model";

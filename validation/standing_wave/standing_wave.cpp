@@ -27,7 +27,6 @@ score two amplitudes and compare the difference of frequencies with the referenc
 #include "validation/instruments/each.hpp"
 
 namespace seiche::validation::cases::standing_wave {
-namespace {
 
 const std::string source = "Tadjbakhsh and Keller (1960)";
 
@@ -118,8 +117,6 @@ std::vector<WantedTable> wanted(const Values& values) {
                                .source = source}}}},
        .exact = {command + " --integrals"}}};
 }
-
-}  // namespace
 
 void standing_wave(Case& c) {
   c.title = "A standing wave between walls, and its frequency";

@@ -38,7 +38,6 @@ here on twice as many rows, exchange more water per step, and lose about 1 % of 
 #include "validation/instruments/surface_points.hpp"
 
 namespace seiche::validation::cases::standing_wave_free_lagrangian {
-namespace {
 
 const std::string source =
     "Frank, Discrete models of incompressible fluid (1994), chapters 2 and 5.2, 5.3; linear wave";
@@ -379,8 +378,6 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
     exhibit.measure(fmt::format("lost_{}", all[i].id), wave.lost);
   }
 }
-
-}  // namespace
 
 void standing_wave_free_lagrangian(Case& c) {
   c.title = "A standing wave in three free-Lagrangian models";

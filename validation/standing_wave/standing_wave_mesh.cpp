@@ -35,7 +35,6 @@ curve; the root of the one-dimensional dispersive model is 12 % higher.
 #include "validation/studies/lagrangian_mesh_2d/mesh_standing_mode.hpp"
 
 namespace seiche::validation::cases::standing_wave_mesh {
-namespace {
 
 using mechanics::stepping_named;
 
@@ -325,8 +324,6 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   draw_coefficients(exhibit, c, finest_rows(values));
   draw_frequencies(exhibit, r.frequencies);
 }
-
-}  // namespace
 
 void standing_wave_mesh(Case& c) {
   c.former_names = {"standing_wave_2d"};

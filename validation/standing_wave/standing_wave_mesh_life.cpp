@@ -35,7 +35,6 @@ before tangling it is as accurate as at the start. Monitor the corners.
 #include "validation/studies/lagrangian_mesh_2d/mesh_standing_mode.hpp"
 
 namespace seiche::validation::cases::standing_wave_mesh_life {
-namespace {
 
 using lagrangian_mesh_2d::Flow;
 using lagrangian_mesh_2d::Stepping;
@@ -131,8 +130,7 @@ Life live(const Values& values, const Setting& setting) {
   Life life{.tau = setting.tau};
   life.flow =
       std::make_unique<Flow>(lagrangian_mesh_2d::layer_mesh(
-                                 {.begin = 0,
-                                  .end = length,
+                                 {.end = length,
                                   .depth = 1,
                                   .columns = tank.columns,
                                   .rows = tank.rows,
@@ -318,8 +316,6 @@ void show(const Results& results, const Values& values, evidence::Exhibit& exhib
     draw(exhibit, results[i], waves[i], values.real("hourglass"), suffix(i));
   }
 }
-
-}  // namespace
 
 void standing_wave_mesh_life(Case& c) {
   c.title = "Time until a Lagrangian mesh tangles under a standing wave";

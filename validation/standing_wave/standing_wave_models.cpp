@@ -37,7 +37,6 @@ longer falls.
 #include "validation/studies/side_by_side/tank_wave.hpp"
 
 namespace seiche::validation::cases::standing_wave_models {
-namespace {
 
 using exact::StandingWave;
 
@@ -201,8 +200,6 @@ Contest compute(const Run& run) {
 void show(const Contest& contest, const Values& /*values*/, evidence::Exhibit& exhibit) {
   contest.show(exhibit, {.size = "depth", .error = "amplitude", .time = "sqrt(depth/g)"});
 }
-
-}  // namespace
 
 void standing_wave_models(Case& c) {
   c.title = "Model comparison: a standing wave";

@@ -34,7 +34,6 @@ focus being some three periods.
 #include "validation/studies/side_by_side/tank_wave.hpp"
 
 namespace seiche::validation::cases::wave_group_models {
-namespace {
 
 using exact::FocusedGroup;
 
@@ -218,8 +217,6 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   exhibit.measure("linear_theory_rms", r.linear);
   exhibit.measure("crest_at_the_wall", r.crest);
 }
-
-}  // namespace
 
 void wave_group_models(Case& c) {
   c.title = "Model comparison: focus of a wave group at a wall";

@@ -33,7 +33,6 @@ scatter too much for an order.
 #include "validation/studies/shallow_water/profile_measures.hpp"
 
 namespace seiche::validation::cases::macdonald_channel {
-namespace {
 
 namespace particles = shallow_water_particles;
 
@@ -183,8 +182,6 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   exhibit.measure("order_with_ends", r.order(&Settled::error).order);
   draw(exhibit, channel_of(values), means_of(r.finest().profile));
 }
-
-}  // namespace
 
 void macdonald_channel(Case& c) {
   c.title = "A river reach with friction";

@@ -43,7 +43,6 @@ deep as at the outflow, particles are six times as long, and each disturbs the f
 #include "validation/studies/shallow_water/profile_points.hpp"
 
 namespace seiche::validation::cases::steady_bump {
-namespace {
 
 namespace particles = shallow_water_particles;
 
@@ -354,8 +353,6 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   for (std::size_t k = 0; k < regimes.size(); ++k) show_regime(r[k], regimes[k], exhibit);
   measure_own(submission().tables(values), submitted_profile(r.front().finest.profile), exhibit);
 }
-
-}  // namespace
 
 void steady_bump(Case& c) {
   c.title = "Steady flow over a bump";

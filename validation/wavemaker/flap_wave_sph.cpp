@@ -42,7 +42,6 @@ long and, for this stroke, 1.08 m high.
 #include "validation/wavemaker/sph_flap_waves.hpp"
 
 namespace seiche::validation::cases::flap_wave_sph {
-namespace {
 
 const std::string publication = literature::plunging_sph + ", figure 5";
 const std::string theory = "Kennard (1949); Dean and Dalrymple (1991), chapter 6";
@@ -399,8 +398,6 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   tabulate_loss(r, exhibit);
   draw(r, exhibit);
 }
-
-}  // namespace
 
 void flap_wave_sph(Case& c) {
   c.title = "Regular wave of a flap: weakly compressible SPH";

@@ -35,7 +35,6 @@ flatter.
 #include "validation/instruments/mesh/mesh_gauges.hpp"
 
 namespace seiche::validation::cases::wavemaker_mesh {
-namespace {
 
 using lagrangian_mesh_2d::Flow;
 
@@ -160,8 +159,7 @@ struct Series {
 Series make_waves(const Paddle& paddle, const Mesh& resolution, mechanics::Stepping stepping, double interval,
                   double end) {
   auto mesh =
-      lagrangian_mesh_2d::layer_mesh({.begin = 0,
-                                      .end = tank,
+      lagrangian_mesh_2d::layer_mesh({.end = tank,
                                       .depth = 1,
                                       .columns = static_cast<std::size_t>(std::lround(tank / resolution.spacing)),
                                       .rows = static_cast<std::size_t>(resolution.rows)});
@@ -340,8 +338,6 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
     even.line(fmt::format("stroke {:g}", stroke / 2), r.low.time, r.low.even[g], Role::peer);
   }
 }
-
-}  // namespace
 
 void wavemaker_mesh(Case& c) {
   c.former_names = {"wavemaker_2d"};

@@ -22,7 +22,6 @@ the second crest is too low and the third too high. A comparison over a few peri
 #include "validation/instruments/each.hpp"
 
 namespace seiche::validation::cases::wavemaker_start {
-namespace {
 
 const std::string source = "Havelock (1929); Dean and Dalrymple (1991), ch. 6";
 
@@ -80,8 +79,6 @@ std::vector<WantedTable> wanted(const Values& values) {
                              values.text("paddle"), values.real("depth"), values.real("gravity"), values.real("period"),
                              values.real("stroke"), gauge, times.back(), times.size())}}};
 }
-
-}  // namespace
 
 void wavemaker_start(Case& c) {
   c.title = "Wavemaker started from rest";

@@ -108,7 +108,7 @@ TEST_CASE("conservation errors of the one-step scheme are second-order in the st
                   }});
   const Order second{2, 0.2, "second order of the one-step scheme: the geometry of a step is taken at its middle"};
   const std::vector<double> tenths{0.1, 0.05, 0.025, 0.0125, 0.00625}, fiftieths{0.02, 0.01, 0.005, 0.0025, 0.00125};
-  const auto box = free_lagrangian::layer_mesh({.begin = 0, .end = 3, .columns = 12, .rows = 4});
+  const auto box = free_lagrangian::layer_mesh({.end = 3, .columns = 12, .rows = 4});
   rows.push_back({"Dirichlet cells",
                   {"areas"},
                   fiftieths,

@@ -54,13 +54,7 @@ class BumpBottom final : public PlanBottom {
 
 /// Degree 4, so that Gauss's rule of three points on edges is exact: depths 0.6 to 1.3 in the box [0, 10] x [0, 10].
 inline std::shared_ptr<const PlanBottom> quartic_bottom() {
-  return std::make_shared<PolynomialBottom>(
-      std::vector<PolynomialBottom::Term>{{.coefficient = -1.2},
-                                          {.coefficient = 0.05, .x_power = 1},
-                                          {.coefficient = 0.01, .x_power = 1, .y_power = 1},
-                                          {.coefficient = -0.006, .y_power = 2},
-                                          {.coefficient = -1e-4, .x_power = 2, .y_power = 2},
-                                          {.coefficient = -2e-5, .x_power = 4}});
+  return polynomial_bottom({{-1.2, 0, 0}, {0.05, 1, 0}, {0.01, 1, 1}, {-0.006, 0, 2}, {-1e-4, 2, 2}, {-2e-5, 4, 0}});
 }
 
 /// A hump of 0.3 in a box 10 x 10 depths, 20 x 20 cells; its walls at x, y = 0 mirror it.
@@ -101,8 +95,7 @@ inline PlanProblem free_blob(bool stands, dispersive_shallow_water_2d::Settings 
        .rows = 24,
        .elevation = [&](double, double) { return (stands ? 1.0 : 0.0) + 0.04 * uniform(random); },
        .sides = {FreeSide{}, FreeSide{}, FreeSide{}, FreeSide{}},
-       .bottom = stands ? std::make_shared<PolynomialBottom>(std::vector<PolynomialBottom::Term>{{.coefficient = 0}})
-                        : nullptr});
+       .bottom = stands ? polynomial_bottom({{.coefficient = 0}}) : nullptr});
   return PlanProblem(
       jittered(std::move(lattice), 0.04, 2),
       [&](double x, double y) {

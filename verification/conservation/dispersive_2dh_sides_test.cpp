@@ -49,8 +49,7 @@ double inflow_error(double spacing) {
   const plan_lattice::DrivenSide west{[=](Place place, double time) {
     return Point{wave.depth_averaged_velocity(place.x - start - wave.speed() * time), 0};
   }};
-  Flow flow(rectangular_lattice(
-      {.begin = 0, .end = 30, .south = 0, .north = spacing, .columns = columns, .rows = 1, .sides = {.west = west}}));
+  Flow flow(rectangular_lattice({.end = 30, .north = spacing, .columns = columns, .rows = 1, .sides = {.west = west}}));
   march(flow, (15 - start) / wave.speed(), 0.1 * spacing);
   Worst error;
   for (std::size_t k = 0; k < flow.x().size(); ++k) {

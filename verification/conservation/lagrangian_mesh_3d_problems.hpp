@@ -83,8 +83,7 @@ inline HexahedralProblem spreading_water(lagrangian_mesh_3d::Settings settings =
 
 /// Bottom under 0 <= x <= 6, 0 <= y <= 4, between 1 and 0.5 deep, bent along both axes.
 inline std::shared_ptr<const PlanBottom> uneven_bottom() {
-  return std::make_shared<PolynomialBottom>(std::vector<PolynomialBottom::Term>{
-      {-1, 0, 0}, {0.06, 1, 0}, {0.02, 0, 1}, {0.01, 1, 1}, {-0.004, 2, 0}, {0.001, 1, 2}});
+  return polynomial_bottom({{-1, 0, 0}, {0.06, 1, 0}, {0.02, 0, 1}, {0.01, 1, 1}, {-0.004, 2, 0}, {0.001, 1, 2}});
 }
 
 /// A hump of 0.1 over it, 12 x 8 x 3 cells of half a depth, between three walls and one that is oblique.

@@ -30,8 +30,8 @@ inline double cosine_elevation(double x) {
 /// Water at rest in a box 6 depths long, 16 x 4 cells, its surface half a wave of height 0.1 cos(pi x/6).
 inline MeshProblem sloshing(lagrangian_mesh_2d::Settings settings = {}) {
   return MeshProblem(
-      lagrangian_mesh_2d::layer_mesh({.begin = 0, .end = 6, .columns = 16, .rows = 4, .elevation = cosine_elevation}),
-      {}, settings);
+      lagrangian_mesh_2d::layer_mesh({.end = 6, .columns = 16, .rows = 4, .elevation = cosine_elevation}), {},
+      settings);
 }
 
 /// A bump of height 0.3 in the middle of a bottom at -1, over [0, 6].
@@ -54,8 +54,8 @@ inline std::vector<std::pair<std::string, MeshProblem (*)()>> basins() {
   return {{"vertical walls, level bottom", [] { return sloshing(); }},
           {"an inclined wall",
            [] {
-             return MeshProblem(layer_mesh_with_slope(
-                 {.begin = 0, .end = 6, .columns = 24, .rows = 4, .elevation = cosine_elevation}, 1));
+             return MeshProblem(
+                 layer_mesh_with_slope({.end = 6, .columns = 24, .rows = 4, .elevation = cosine_elevation}, 1));
            }},
           {"a bump on the bottom",
            [] {

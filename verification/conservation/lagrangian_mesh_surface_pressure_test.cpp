@@ -27,7 +27,7 @@ const std::vector<Named> schemes{{"one-step", "One-step scheme", Stepping::one_s
 
 /// Still water between a vertical and an inclined wall, nodes inside off their rows and columns.
 Mesh distorted_layer() {
-  Mesh mesh = layer_mesh_with_slope({.begin = 0, .end = 6, .columns = 12, .rows = 4}, 1);
+  Mesh mesh = layer_mesh_with_slope({.end = 6, .columns = 12, .rows = 4}, 1);
   for (std::size_t j = 1; j < mesh.rows; ++j) {
     for (std::size_t i = 1; i < mesh.columns; ++i) {
       const auto s = static_cast<double>(i + 5 * j);
@@ -125,8 +125,8 @@ TEST_CASE("a pressure pattern on the surface of the mesh drives a standing wave 
                       .panel({.x = "t [sqrt(depth/g)]", .y = "elevation/P"});
     for (const Named& scheme : schemes) {
       const auto wall = [&](double sign) {
-        Flow flow(layer_mesh({.begin = 0, .end = length, .columns = columns, .rows = rows}), {},
-                  {.stepping = scheme.stepping}, {}, {.surface_pressure = [&](double x, double t) {
+        Flow flow(layer_mesh({.end = length, .columns = columns, .rows = rows}), {}, {.stepping = scheme.stepping}, {},
+                  {.surface_pressure = [&](double x, double t) {
                     return sign * pressure * std::cos(k * x) * std::sin(sigma * t);
                   }});
         std::vector<double> series;

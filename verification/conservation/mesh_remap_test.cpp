@@ -169,8 +169,8 @@ TEST_CASE("rezoned columns conserve their water and the surface slope", "[conser
   constexpr std::size_t columns = 40;
   constexpr std::size_t rows = 8;
   const auto elevation = [](double x) { return 0.2 * std::cos(2 * x); };
-  Mesh mesh = layer_mesh_with_slope(
-      {.begin = 0, .end = 10, .depth = 1, .columns = columns, .rows = rows, .elevation = elevation}, 1);
+  Mesh mesh =
+      layer_mesh_with_slope({.end = 10, .depth = 1, .columns = columns, .rows = rows, .elevation = elevation}, 1);
   const UprightColumns upright(mesh);
   const Mesh first = mesh;
   // Along the polygon of the surface, and within: no water passes the surface.

@@ -59,7 +59,7 @@ Seen overlapping(const Twin& twin, overlapping_particles::Settings settings, boo
 /// A rectangle of Dirichlet cells that nothing holds, or between walls under a level surface.
 std::pair<free_lagrangian::Mesh, std::vector<std::size_t>> cells_of(const Twin& twin, bool layer) {
   using namespace free_lagrangian;
-  const Mesh base = layer ? jittered(layer_mesh({.begin = 0, .end = 3, .columns = 9, .rows = 4}), 0.1, 1)
+  const Mesh base = layer ? jittered(layer_mesh({.end = 3, .columns = 9, .rows = 4}), 0.1, 1)
                           : jittered(free_patch(8, 6, {-1, -0.5}, {1, 0.5}), 0.2, 1);
   const auto order = twin.order(base.nodes());
   std::vector<int> number(order.size());

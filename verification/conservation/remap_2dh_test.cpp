@@ -46,7 +46,7 @@ std::pair<std::vector<double>, std::vector<double>> moved(const Lattice& lattice
 }
 
 Lattice box() {
-  return rectangular_lattice({.begin = 0, .end = size, .south = 0, .north = size, .columns = cells, .rows = cells});
+  return rectangular_lattice({.end = size, .north = size, .columns = cells, .rows = cells});
 }
 
 double sum(std::span<const double> values) {

@@ -22,15 +22,14 @@ constexpr double half_width = 10;
 
 /// Canal of depth 1 and bottom -1 + (x/10)^2 between walls y = 0 and y = 2, shores at x = -10 and 10.
 std::shared_ptr<const PolynomialBottom> canal() {
-  return std::make_shared<PolynomialBottom>(
-      std::vector<PolynomialBottom::Term>{{-1, 0, 0}, {1 / (half_width * half_width), 2, 0}});
+  return polynomial_bottom({{-1, 0, 0}, {1 / (half_width * half_width), 2, 0}});
 }
 
 /// Its water, moved by `shift` up one side as a whole: the surface is a plane.
 Lattice moved_water(std::size_t columns, double shift) {
   const auto bottom = canal();
-  Lattice lattice = rectangular_lattice(
-      {.begin = -half_width, .end = half_width, .south = 0, .north = 2, .columns = columns, .rows = 2});
+  Lattice lattice =
+      rectangular_lattice({.begin = -half_width, .end = half_width, .north = 2, .columns = columns, .rows = 2});
   lattice.bottom = bottom;
   lattice.sides.west = lattice.sides.east = ShoreSide{};
   for (std::size_t k = 0; k < lattice.x.size(); ++k) {
@@ -46,8 +45,7 @@ Lattice ring(double amplitude) {
   constexpr std::size_t columns = 24;
   constexpr std::size_t rows = 8;
   Lattice lattice{.shape = {columns, rows}, .x = {}, .y = {}, .z = {}};
-  lattice.bottom =
-      std::make_shared<PolynomialBottom>(std::vector<PolynomialBottom::Term>{{-1, 0, 0}, {0.01, 2, 0}, {0.01, 0, 2}});
+  lattice.bottom = polynomial_bottom({{-1, 0, 0}, {0.01, 2, 0}, {0.01, 0, 2}});
   for (std::size_t j = 0; j <= rows; ++j) {
     for (std::size_t i = 0; i <= columns; ++i) {
       const double angle = std::numbers::pi / 2 * static_cast<double>(i) / columns;
@@ -151,7 +149,7 @@ TEST_CASE("water in a parabolic canal swings with Thacker's frequency", "[conser
 }
 
 TEST_CASE("invalid shorelines are rejected", "[robustness]") {
-  Lattice level = rectangular_lattice({.begin = 0, .end = 4, .south = 0, .north = 2, .columns = 4, .rows = 2});
+  Lattice level = rectangular_lattice({.end = 4, .north = 2, .columns = 4, .rows = 2});
   level.sides.west = ShoreSide{};
   CHECK_THROWS_AS(Flow(level), std::invalid_argument);
   Lattice wet = moved_water(20, 0);

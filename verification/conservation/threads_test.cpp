@@ -112,14 +112,13 @@ void plan(Check& check, Stepping stepping) {
 void hexahedra(Check& check, Stepping stepping) {
   using namespace lagrangian_mesh_3d;
   constexpr std::size_t rows = 60, columns = linear::worth_threads / (2 * rows) + 20;
-  const Layer layer{
-      .end = 0.5 * columns,
-      .north = 0.5 * rows,
-      .columns = columns,
-      .rows = rows,
-      .layers = 2,
-      .elevation = [](double x, double y) { return 0.2 * hump(x, y, 5, 12, 0.05); },
-      .bottom = std::make_shared<PolynomialBottom>(std::vector<PolynomialBottom::Term>{{-1, 0, 0}, {1e-4, 1, 0}})};
+  const Layer layer{.end = 0.5 * columns,
+                    .north = 0.5 * rows,
+                    .columns = columns,
+                    .rows = rows,
+                    .layers = 2,
+                    .elevation = [](double x, double y) { return 0.2 * hump(x, y, 5, 12, 0.05); },
+                    .bottom = polynomial_bottom({{-1, 0, 0}, {1e-4, 1, 0}})};
   same_for_threads(check, "Hexahedra, " + name_of(stepping), [&](int count) {
     return stepped(Flow(layer_mesh(layer), {}, {.stepping = stepping}, {.tolerance = 1e-7}), count, 3, 0.2);
   });

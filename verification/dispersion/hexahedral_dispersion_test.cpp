@@ -10,7 +10,6 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 #include "verification/refinement.hpp"
-#include "verification/self_test_claims.hpp"
 
 namespace seiche::verification::hexahedral_dispersion_test {
 
@@ -125,12 +124,6 @@ TEST_CASE("the law of the hexahedral mesh has the known limits", "[dispersion]")
   check.that("seven-depths", "The frequency error of waves of L/H = 7 on cells H wide and H/2 high is below 3 %.",
              "error of the frequency against Airy's law [%]", {layers_error(7, 1, 2)},
              Bound{3, "Frank's remark, at 3 %"});
-  for (const std::size_t layers : {1UL, 2UL, 3UL, 40UL}) {
-    for (const SurfaceInertia inertia : {SurfaceInertia::nodal, SurfaceInertia::tuned}) {
-      const std::string name = fmt::format("{}-{}", inertia == SurfaceInertia::tuned ? "tuned" : "nodal", layers);
-      self_test_holds(check, name, HexahedralDispersion(9.81, 0.7, 0.3, 0.5, layers, inertia));
-    }
-  }
   claim_limits(check);
   draw(check);
   CHECK_THROWS_AS(HexahedralDispersion(1, 1, 0.3, 0.3, 0), std::invalid_argument);

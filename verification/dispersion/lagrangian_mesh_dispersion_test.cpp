@@ -32,7 +32,7 @@ struct Tank {
     return {gravity, depth, length / static_cast<double>(columns), rows, inertia};
   }
   [[nodiscard]] Model model() const {
-    return Model(layer_mesh({.begin = 0, .end = length, .depth = depth, .columns = columns, .rows = rows}),
+    return Model(layer_mesh({.end = length, .depth = depth, .columns = columns, .rows = rows}),
                  {.gravity = gravity, .density = 1.3, .tuned_surface_inertia = inertia == SurfaceInertia::tuned});
   }
   /// Of the wave with m half-waves in the tank.

@@ -24,7 +24,7 @@ struct Tank {
   Settings settings = {};
 
   [[nodiscard]] Model model() const {
-    return Model(layer_mesh({.begin = 0, .end = length, .columns = columns, .rows = rows}), settings);
+    return Model(layer_mesh({.end = length, .columns = columns, .rows = rows}), settings);
   }
 };
 

@@ -19,9 +19,7 @@ using distributed::ranks;
 
 /// @param bottom  null for a level one
 lagrangian_mesh_3d::Mesh box_of_hexahedra(std::shared_ptr<const PlanBottom> bottom) {
-  return lagrangian_mesh_3d::layer_mesh({.begin = 0,
-                                         .end = 12,
-                                         .south = 0,
+  return lagrangian_mesh_3d::layer_mesh({.end = 12,
                                          .north = 8,
                                          .columns = 24,
                                          .rows = 16,
@@ -85,8 +83,8 @@ TEST_CASE("a flow of hexahedra distributed over processes agrees with one proces
 }
 
 std::shared_ptr<const PlanBottom> slope() {
-  return std::make_shared<PolynomialBottom>(std::vector<PolynomialBottom::Term>{
-      {.coefficient = -1}, {.coefficient = 0.02, .x_power = 1}, {.coefficient = 1e-3, .y_power = 2}});
+  return polynomial_bottom(
+      {{.coefficient = -1}, {.coefficient = 0.02, .x_power = 1}, {.coefficient = 1e-3, .y_power = 2}});
 }
 
 TEST_CASE("a flow of hexahedra over an uneven bottom, distributed over processes, agrees with one process") {
@@ -103,14 +101,8 @@ TEST_CASE("a flow of hexahedra in a moving window, distributed over processes, a
   const Problem in_plan = window();
   const plan::Lattice& lattice = in_plan.lattice;
   const auto surface = [&lattice](std::size_t i, std::size_t j) { return lattice.z[lattice.shape.node(i, j)]; };
-  lagrangian_mesh_3d::Mesh mesh = lagrangian_mesh_3d::layer_mesh({.begin = -12,
-                                                                  .end = 21,
-                                                                  .south = 0,
-                                                                  .north = 12,
-                                                                  .columns = 44,
-                                                                  .rows = 16,
-                                                                  .layers = 1,
-                                                                  .sides = lattice.sides});
+  lagrangian_mesh_3d::Mesh mesh = lagrangian_mesh_3d::layer_mesh(
+      {.begin = -12, .end = 21, .north = 12, .columns = 44, .rows = 16, .layers = 1, .sides = lattice.sides});
   for (std::size_t j = 0; j <= 16; ++j) {
     for (std::size_t i = 0; i <= 44; ++i) mesh.z[mesh.node(i, j, 1)] = surface(i, j);
   }

@@ -41,31 +41,22 @@ inline double hump(double x, double y) {
 inline Problem box() {
   return {.id = "box",
           .what = "a hump of water, a/h = 0.3, away from the middle of a box of 40 x 20 cells",
-          .lattice = plan::rectangular_lattice(
-              {.begin = 0, .end = 20, .south = 0, .north = 10, .columns = 40, .rows = 20, .elevation = hump})};
+          .lattice = plan::rectangular_lattice({.end = 20, .north = 10, .columns = 40, .rows = 20, .elevation = hump})};
 }
 
 inline Problem shoal() {
-  const auto bottom = std::make_shared<PolynomialBottom>(std::vector<PolynomialBottom::Term>{
-      {.coefficient = -1}, {.coefficient = 0.02, .x_power = 1}, {.coefficient = 1e-3, .y_power = 2}});
+  const auto bottom = polynomial_bottom(
+      {{.coefficient = -1}, {.coefficient = 0.02, .x_power = 1}, {.coefficient = 1e-3, .y_power = 2}});
   return {.id = "shoal",
           .what = "the same over the bottom z = -1 + x/50 + y^2/1000",
-          .lattice = plan::rectangular_lattice({.begin = 0,
-                                                .end = 20,
-                                                .south = 0,
-                                                .north = 10,
-                                                .columns = 40,
-                                                .rows = 20,
-                                                .elevation = hump,
-                                                .bottom = bottom})};
+          .lattice = plan::rectangular_lattice(
+              {.end = 20, .north = 10, .columns = 40, .rows = 20, .elevation = hump, .bottom = bottom})};
 }
 
 /// A wave maker in the west, an oblique wall with a bend in the south.
 inline Problem wedge() {
   plan::Lattice lattice = plan::rectangular_lattice(
-      {.begin = 0,
-       .end = 20,
-       .south = 0,
+      {.end = 20,
        .north = 10,
        .columns = 40,
        .rows = 20,
@@ -105,7 +96,6 @@ inline Problem window() {
           .lattice = plan::rectangular_lattice(
               {.begin = -12,
                .end = 21,
-               .south = 0,
                .north = 12,
                .columns = 44,
                .rows = 16,
@@ -122,12 +112,10 @@ inline Problem window() {
 
 /// A canal z = -1 + (x/10)^2 with a shoreline on either side, whose water is moved up one of them and uneven along it.
 inline Problem canal() {
-  const auto bottom = std::make_shared<PolynomialBottom>(
-      std::vector<PolynomialBottom::Term>{{.coefficient = -1}, {.coefficient = 0.01, .x_power = 2}});
+  const auto bottom = polynomial_bottom({{.coefficient = -1}, {.coefficient = 0.01, .x_power = 2}});
   plan::Lattice lattice =
       plan::rectangular_lattice({.begin = -10,
                                  .end = 10,
-                                 .south = 0,
                                  .north = 8,
                                  .columns = 32,
                                  .rows = 12,

@@ -57,7 +57,6 @@ struct Envelope {
 Envelope envelope(const Channel& waves) {
   auto flow = basin_flow({.begin = 0,
                           .end = channel + waves.layer(),
-                          .south = 0,
                           .north = 2 * waves.spacing,
                           .bottom = [](double, double) { return -depth; },
                           .spacing = waves.spacing,

@@ -6,13 +6,9 @@
 #include "validation/instruments/manufactured/cell_average.hpp"
 #include "verification/check.hpp"
 
-namespace bore_test {
+namespace seiche::verification::bore_test {
 
-using namespace seiche;
-using exact::Bore;
-using exact::BoreReflection;
-using exact::StationaryJump;
-using namespace seiche::verification;
+using namespace exact;
 
 constexpr double g = 9.81;
 const std::string source =
@@ -67,4 +63,4 @@ TEST_CASE("a bore reflected from a wall leaves water at rest", "[exact]") {
   CHECK(std::abs(same.reflected_depth() - reflection.reflected_depth()) < 1e-14);
 }
 
-}  // namespace bore_test
+}  // namespace seiche::verification::bore_test

@@ -16,12 +16,9 @@
 #include "verification/check.hpp"
 #include "verification/robustness/fuzzing.hpp"
 
-namespace catalogue_corners_test {
+namespace seiche::verification::catalogue_corners_test {
 
-using namespace seiche;
-using exact::ExactSolution;
-using exact::Parameter;
-using namespace seiche::verification;
+using namespace exact;
 
 /// How many members of a family are drawn. Solutions that integrate a motion or solve for a surface take up to seconds
 /// each: few of them, and some only in longer runs.
@@ -177,4 +174,4 @@ TEST_CASE("so do those that take longest", "[exact][full]") {
   try_members(true);
 }
 
-}  // namespace catalogue_corners_test
+}  // namespace seiche::verification::catalogue_corners_test

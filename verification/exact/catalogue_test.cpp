@@ -7,12 +7,7 @@
 #include "seiche/exact/catalogue.hpp"
 #include "verification/check.hpp"
 
-namespace catalogue_test {
-
-using namespace seiche;
-using namespace seiche::verification;
-
-namespace {
+namespace seiche::verification::catalogue_test {
 
 /// Three times as much as all others; exact_slope_runup, exact_wall_load and exact_overturning have their identities
 /// too.
@@ -49,8 +44,6 @@ void evaluates(Check& check, const exact::ExactSolution& solution) {
                 Bound{identities[k].accuracy, identities[k].reason});
   }
 }
-
-}  // namespace
 
 TEST_CASE("every entry of the catalogue is complete", "[exact]") {
   std::set<std::string> names;
@@ -89,4 +82,4 @@ TEST_CASE("the costliest exact solutions do so too", "[exact][full]") {
   for (const std::string& name : costliest) evaluates(check, exact::find_solution(name));
 }
 
-}  // namespace catalogue_test
+}  // namespace seiche::verification::catalogue_test

@@ -14,12 +14,9 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 
-namespace catalogue_units_test {
+namespace seiche::verification::catalogue_units_test {
 
-using namespace seiche;
-using namespace seiche::verification;
-using exact::Evaluator;
-using exact::ExactSolution;
+using namespace exact;
 
 /// What one metre, second and kilogram are in the other units.
 struct Units {
@@ -162,4 +159,4 @@ TEST_CASE("nor do those that integrate a motion", "[exact][full]") {
   claim_units(true);
 }
 
-}  // namespace catalogue_units_test
+}  // namespace seiche::verification::catalogue_units_test

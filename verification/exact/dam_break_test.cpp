@@ -8,12 +8,9 @@
 #include "verification/check.hpp"
 #include "verification/exact/shallow_water_residual.hpp"
 
-namespace dam_break_test {
+namespace seiche::verification::dam_break_test {
 
-using namespace seiche;
-using exact::Ritter;
-using exact::Stoker;
-using namespace seiche::verification;
+using namespace exact;
 
 constexpr double g = 9.81;
 const std::string source = "Stoker, Water Waves (1957), section 10.8; 30-digit arithmetic";
@@ -77,4 +74,4 @@ TEST_CASE("dam-break mass and momentum follow from the integral laws", "[exact]"
                    "for d = 0.01, t = 3, xi = -2.6; round-off 1e-13"});
 }
 
-}  // namespace dam_break_test
+}  // namespace seiche::verification::dam_break_test

@@ -14,10 +14,7 @@
 #include "validation/case/data_folder.hpp"
 #include "verification/digits_table.hpp"
 
-namespace digits_test {
-
-using namespace seiche;
-using namespace seiche::verification;
+namespace seiche::verification::digits_test {
 
 /// "depth=1;kind=flap": choices by their places in the list.
 std::map<std::string, double> numbers(const std::string& text, const std::vector<exact::Parameter>& parameters = {}) {
@@ -95,4 +92,4 @@ TEST_CASE("exact solutions reject parameters outside their theory, with the reas
   }
 }
 
-}  // namespace digits_test
+}  // namespace seiche::verification::digits_test

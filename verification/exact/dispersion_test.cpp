@@ -10,16 +10,10 @@
 #include "validation/case/reference_case.hpp"
 #include "validation/instruments/each.hpp"
 #include "verification/refinement.hpp"
-#include "verification/self_test_claims.hpp"
 
-namespace dispersion_test {
+namespace seiche::verification::dispersion_test {
 
-using namespace seiche;
-using exact::AiryDispersion;
-using exact::FrankDispersion;
-using exact::RationalDispersion;
-using exact::TimeScheme;
-using namespace seiche::verification;
+using namespace exact;
 using validation::each;
 using validation::evenly;
 
@@ -106,11 +100,6 @@ TEST_CASE("the laws of dispersion have the digits known, and their inverses", "[
            const auto error = [&](const auto& law) { return std::abs(law.frequency(k) / airy.frequency(k) - 1); };
            return std::array{error(gn), error(nwogu), error(ms)};
          });
-  self_test_holds(check, "airy", AiryDispersion(9.81, 3));
-  self_test_holds(check, "airy-deep", AiryDispersion(9.81, infinite));
-  self_test_holds(check, "rational", RationalDispersion::nwogu(9.81, 3));
-  self_test_holds(check, "wave", exact::AiryWave(0.1, exact::Wavelength{12}, {9.81, 3}));
-  self_test_holds(check, "wave-deep", exact::AiryWave(0.1, exact::Wavelength{12}, {9.81, infinite}));
   draw_laws(check);
   CHECK(std::abs(AiryDispersion(9.81, 1e3).wavenumber(2) - 4 / 9.81) < 1e-15);
   CHECK_THROWS_AS(airy.wavenumber(-1), std::invalid_argument);
@@ -148,8 +137,6 @@ TEST_CASE("the discrete dispersion law converges to Green-Naghdi and can be tune
                 Bound{4e-4, "the next term of the series is (omega tau)^2 = 4e-4 of it",
                       one_step ? 1.0 / 24 : -1.0 / 12, true});
   }
-  self_test_holds(check, "plain", FrankDispersion(9.81, 3, 0.8));
-  self_test_holds(check, "tuned", quarter);
   draw_formula_13(check);
   CHECK_THROWS_AS(exact::discrete_frequency(2.01, 1, TimeScheme::one_step), std::invalid_argument);
   CHECK_THROWS_AS(exact::discrete_frequency(0, 1, TimeScheme::conservative), std::invalid_argument);
@@ -179,4 +166,4 @@ TEST_CASE("a wave is the same by wavelength, period and frequency", "[exact]") {
             Roundoff{.operations = 60, .reason = "30 roundings there and back, twice in a quotient"});
 }
 
-}  // namespace dispersion_test
+}  // namespace seiche::verification::dispersion_test

@@ -9,11 +9,9 @@
 #include "verification/exact/spectral_derivative.hpp"
 #include "verification/self_test_claims.hpp"
 
-namespace dispersive_manufactured_test {
+namespace seiche::verification::dispersive_manufactured_test {
 
-using namespace seiche;
 using validation::DispersiveManufactured;
-using namespace seiche::verification;
 using Parameters = DispersiveManufactured::Parameters;
 
 constexpr double pi = std::numbers::pi;
@@ -183,4 +181,4 @@ TEST_CASE("the manufactured motion over an uneven bottom satisfies the forced di
   CHECK_THROWS_AS(frank.at(std::nan(""), 0), std::invalid_argument);
 }
 
-}  // namespace dispersive_manufactured_test
+}  // namespace seiche::verification::dispersive_manufactured_test

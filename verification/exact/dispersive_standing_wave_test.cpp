@@ -9,14 +9,10 @@
 #include "validation/case/reference_case.hpp"
 #include "validation/instruments/each.hpp"
 #include "verification/check.hpp"
-#include "verification/self_test_claims.hpp"
 
-namespace dispersive_standing_wave_test {
+namespace seiche::verification::dispersive_standing_wave_test {
 
-using namespace seiche;
-using exact::DispersiveStandingWave;
-using exact::StandingWave;
-using namespace seiche::verification;
+using namespace exact;
 using Parameters = DispersiveStandingWave::Parameters;
 
 constexpr double pi = std::numbers::pi;
@@ -167,13 +163,9 @@ TEST_CASE("the frequency of a standing wave of the dispersive model follows from
             "The change of frequency with amplitude agrees with Tadjbakhsh and Keller (1960) within 1e-4.",
             "C over the value of Tadjbakhsh and Keller at k H = 0.01", {correction(0.01, {}) / in_water(0.01)},
             Bound{1e-4, "relative rest of order (k H)^2 = 1e-4", 1});
-  for (const Parameters& parameters : {Parameters{}, weighted(0), weighted(2)}) {
-    const std::string id = parameters.gamma == 0 ? "plain" : parameters.weight_exponent == 0 ? "s0" : "s2";
-    self_test_holds(check, id, DispersiveStandingWave(0.1, 2, 0.4, 9.81, parameters));
-  }
   draw(check, *exponent);
   CHECK_FALSE(DispersiveStandingWave::critical_depth(weighted(2)).has_value());
   CHECK_THROWS_AS(correction(-1, {}), std::invalid_argument);
 }
 
-}  // namespace dispersive_standing_wave_test
+}  // namespace seiche::verification::dispersive_standing_wave_test

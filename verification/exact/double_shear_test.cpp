@@ -4,11 +4,9 @@
 #include "validation/instruments/manufactured/double_shear.hpp"
 #include "verification/self_test_claims.hpp"
 
-namespace double_shear_test {
+namespace seiche::verification::double_shear_test {
 
-using namespace seiche;
 using validation::DoubleShear;
-using namespace seiche::verification;
 
 TEST_CASE("the manufactured double shear conserves areas and obeys the forced equations of motion", "[exact]") {
   Check check(
@@ -27,4 +25,4 @@ TEST_CASE("the manufactured double shear conserves areas and obeys the forced eq
   CHECK_THROWS_AS(DoubleShear({.pressure = std::nan("")}), std::invalid_argument);
 }
 
-}  // namespace double_shear_test
+}  // namespace seiche::verification::double_shear_test

@@ -10,11 +10,9 @@
 #include "verification/exact/spectral_derivative.hpp"
 #include "verification/self_test_claims.hpp"
 
-namespace manufactured_2dh_test {
+namespace seiche::verification::manufactured_2dh_test {
 
-using namespace seiche;
 using validation::PlanManufactured;
-using namespace seiche::verification;
 using Field = Eigen::ArrayXXd;  // labels: X along rows, Y along columns
 
 constexpr double pi = std::numbers::pi;
@@ -143,4 +141,4 @@ TEST_CASE("the manufactured motion in 2DH satisfies the forced Green-Naghdi equa
   CHECK_THROWS_AS(flow.label(1, 4, 0), std::invalid_argument);
 }
 
-}  // namespace manufactured_2dh_test
+}  // namespace seiche::verification::manufactured_2dh_test

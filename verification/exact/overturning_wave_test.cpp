@@ -10,12 +10,10 @@
 #include "verification/difference.hpp"
 #include "verification/self_test_claims.hpp"
 
-namespace overturning_wave_test {
+namespace seiche::verification::overturning_wave_test {
 
-using namespace seiche;
 using exact::OverturningWave;
 using exact::overturning::SurfaceCurve;
-using namespace seiche::verification;
 
 const std::string source =
     "Baker, Meiron & Orszag, J. Fluid Mech. 123 (1982) 477; Longuet-Higgins & Cokelet, Proc. R. Soc. Lond. A 350 "
@@ -171,4 +169,4 @@ TEST_CASE("a low group of waves comes to the focus of linear theory", "[exact]")
              Bound{0.1, "the next term is of the order of k a = 0.05", 2});
 }
 
-}  // namespace overturning_wave_test
+}  // namespace seiche::verification::overturning_wave_test

@@ -15,11 +15,9 @@
 #include "verification/refinement.hpp"
 #include "verification/self_test_claims.hpp"
 
-namespace pressure_forced_wave_test {
+namespace seiche::verification::pressure_forced_wave_test {
 
-using namespace seiche;
 using exact::PressureForcedWave;
-using namespace seiche::verification;
 
 using Complex = std::complex<double>;
 
@@ -273,4 +271,4 @@ TEST_CASE("a wave pushed by a pressure rejects parameters outside its range", "[
   CHECK_THROWS_AS(unit.action(4), std::invalid_argument);
 }
 
-}  // namespace pressure_forced_wave_test
+}  // namespace seiche::verification::pressure_forced_wave_test

@@ -6,10 +6,8 @@
 #include "validation/instruments/manufactured/cell_average.hpp"
 #include "verification/check.hpp"
 
-namespace riemann_test {
+namespace seiche::verification::riemann_test {
 
-using namespace seiche;
-using namespace seiche::verification;
 using exact::Riemann;
 
 constexpr double g = 9.81;
@@ -110,4 +108,4 @@ TEST_CASE("colliding bores meet and pass", "[exact]") {
              {defect.value()}, Roundoff{100, 200, "sums of 50 points up to 200 m^2"});
 }
 
-}  // namespace riemann_test
+}  // namespace seiche::verification::riemann_test

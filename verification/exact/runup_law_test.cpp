@@ -7,10 +7,8 @@
 #include "seiche/exact/solitary_runup.hpp"
 #include "verification/check.hpp"
 
-namespace runup_law_test {
+namespace seiche::verification::runup_law_test {
 
-using namespace seiche;
-using namespace seiche::verification;
 using exact::SolitaryRunup;
 
 constexpr double pi = std::numbers::pi;
@@ -60,4 +58,4 @@ TEST_CASE("the coefficients of the run-up laws follow from the integral", "[exac
              Bound{5e-5, "half a unit of the last of four printed decimals", std::pow(curvature, -4.0 / 9)});
 }
 
-}  // namespace runup_law_test
+}  // namespace seiche::verification::runup_law_test

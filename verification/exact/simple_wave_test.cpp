@@ -7,10 +7,7 @@
 #include "verification/exact/shallow_water_residual.hpp"
 #include "verification/refinement.hpp"
 
-namespace simple_wave_test {
-
-using namespace seiche;
-using namespace seiche::verification;
+namespace seiche::verification::simple_wave_test {
 
 TEST_CASE("the simple wave satisfies the equations until it breaks", "[exact]") {
   const std::string source = "Stoker, Water Waves (1957), section 10.3";
@@ -69,4 +66,4 @@ TEST_CASE("the simple wave satisfies the equations until it breaks", "[exact]") 
   CHECK_NOTHROW(wave.at(6, 0.999 * wave.breaking_time()));
 }
 
-}  // namespace simple_wave_test
+}  // namespace seiche::verification::simple_wave_test

@@ -12,12 +12,10 @@
 #include "validation/case/reference_table.hpp"
 #include "verification/self_test_claims.hpp"
 
-namespace slope_runup_test {
+namespace seiche::verification::slope_runup_test {
 
-using namespace seiche;
 using exact::SlopeRunup;
 using exact::slope_climb::WedgeFlow;
-using namespace seiche::verification;
 using Complex = std::complex<double>;
 
 /// Poles of sixth order above the surface and, mirrored, below the bottom, in the plane where bottom and slope are one
@@ -89,8 +87,6 @@ TEST_CASE("velocities of water over a slope agree with a potential with poles ou
   }
 }
 
-namespace {
-
 const std::string source =
     "Grilli, Svendsen & Subramanya, J. Waterway, Port, Coastal, Ocean Eng. 123 (1997) 102; regression: table "
     "reference_data/slope_runup_exact";
@@ -116,8 +112,6 @@ SlopeRunup judged(Check& check, const io::Table& table, std::size_t row) {
   if (a == 0.29) self_test_holds(check, fmt::format("slope-{:g}", cotangent), slope);
   return slope;
 }
-
-}  // namespace
 
 TEST_CASE("the run-up of a solitary wave on a slope agrees with the reference", "[exact]") {
   Check check = runup_check();
@@ -149,4 +143,4 @@ TEST_CASE("the run-up of solitary waves on walls and slopes agrees with the refe
   CHECK(std::abs(SlopeRunup(0.4, 1, 2, 160).runup() - 2 * SlopeRunup(0.2, 1, 1, 160).runup()) < 1e-12);
 }
 
-}  // namespace slope_runup_test
+}  // namespace seiche::verification::slope_runup_test

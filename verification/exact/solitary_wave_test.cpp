@@ -12,12 +12,9 @@
 #include "verification/difference.hpp"
 #include "verification/exact/wave_extremum.hpp"
 
-namespace solitary_wave_test {
+namespace seiche::verification::solitary_wave_test {
 
-using namespace seiche;
-using namespace seiche::verification;
-using exact::Resolution;
-using exact::SolitaryWave;
+using namespace exact;
 using validation::each;
 
 constexpr double degree = std::numbers::pi / 180;
@@ -196,4 +193,4 @@ TEST_CASE("speed, mass and energy of solitary waves are largest below the limiti
   mass_panel.line("kinetic energy T", amplitudes, each(waves, &SolitaryWave::kinetic_energy), evidence::Role::peer);
 }
 
-}  // namespace solitary_wave_test
+}  // namespace seiche::verification::solitary_wave_test

@@ -5,9 +5,8 @@
 #include "seiche/exact/mach_reflection.hpp"
 #include "verification/check.hpp"
 
-namespace soliton_fission_test {
+namespace seiche::verification::soliton_fission_test {
 
-using namespace seiche::verification;
 using seiche::exact::SolitonFission;
 
 TEST_CASE("a solitary wave falls apart into whole numbers of waves at the depths that are known", "[exact]") {
@@ -44,4 +43,4 @@ TEST_CASE("a solitary wave falls apart into whole numbers of waves at the depths
             Roundoff{10, 4.0, "roots of squares", 1.0});
 }
 
-}  // namespace soliton_fission_test
+}  // namespace seiche::verification::soliton_fission_test

@@ -6,12 +6,9 @@
 #include "verification/difference.hpp"
 #include "verification/exact/bed_primitive.hpp"
 
-namespace steady_flow_test {
+namespace seiche::verification::steady_flow_test {
 
-using namespace seiche;
-using exact::MacDonald;
-using exact::SteadyBump;
-using namespace seiche::verification;
+using namespace exact;
 
 constexpr double g = 9.81;
 const std::string source = "Delestre et al., SWASHES, Int. J. Numer. Meth. Fluids 72 (2013) 269; 30-digit arithmetic";
@@ -81,4 +78,4 @@ TEST_CASE("the MacDonald channel has its prescribed depth", "[exact]") {
   verification::claim_bed_primitive(check, "bed", channel.bed(), 0, 1000, 7);
 }
 
-}  // namespace steady_flow_test
+}  // namespace seiche::verification::steady_flow_test

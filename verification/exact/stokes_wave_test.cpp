@@ -14,12 +14,9 @@
 #include "verification/exact/wave_extremum.hpp"
 #include "verification/self_test_claims.hpp"
 
-namespace stokes_wave_test {
+namespace seiche::verification::stokes_wave_test {
 
-using namespace seiche;
-using namespace seiche::verification;
-using exact::Resolution;
-using exact::StokesWave;
+using namespace exact;
 
 constexpr double wavelength = 2 * std::numbers::pi;
 const std::string source =
@@ -188,4 +185,4 @@ TEST_CASE("deep Stokes waves are fastest below the limiting steepness", "[exact]
   speed_panel.vertical("largest speed", std::vector<double>{at});
 }
 
-}  // namespace stokes_wave_test
+}  // namespace seiche::verification::stokes_wave_test

@@ -5,15 +5,10 @@
 #include "seiche/samples.hpp"
 #include "verification/difference.hpp"
 #include "verification/refinement.hpp"
-#include "verification/self_test_claims.hpp"
 
-namespace thacker_bowl_test {
+namespace seiche::verification::thacker_bowl_test {
 
-using namespace seiche;
-using exact::BowlState;
-using exact::ThackerPlanarBowl;
-using exact::ThackerRadialBowl;
-using namespace seiche::verification;
+using namespace exact;
 
 const std::string source = "Thacker, J. Fluid Mech. 107 (1981) 499; Delestre et al., SWASHES (2013), section 4.2.2";
 
@@ -103,12 +98,10 @@ TEST_CASE("water oscillates in a bowl in 2DH, radially and as a rotating disc", 
   claim_residual(check, "planar", planar);
   claim_paths(check, "radial", radial);
   claim_paths(check, "planar", planar);
-  self_test_holds(check, "radial", ThackerRadialBowl(9.81, 2, 0.3, 0.7));
-  self_test_holds(check, "planar", ThackerPlanarBowl(9.81, 2, 0.3, 0.7));
   CHECK(std::abs(radial.shoreline(0) - std::sqrt(0.8)) < 1e-15);
   CHECK(radial.at(0, radial.shoreline(0.7) + 1e-9, 0.7).depth == 0);
   CHECK(planar.at(0.5 + 1 - 1e-9, 0, 0).depth > 0);
   CHECK(planar.at(0.5 + 1 + 1e-9, 0, 0).depth == 0);
 }
 
-}  // namespace thacker_bowl_test
+}  // namespace seiche::verification::thacker_bowl_test

@@ -9,12 +9,10 @@
 #include "verification/exact/shallow_water_residual.hpp"
 #include "verification/refinement.hpp"
 
-namespace thacker_test {
+namespace seiche::verification::thacker_test {
 
-using namespace seiche;
 using exact::Thacker;
 using validation::LagrangianManufactured;
-using namespace seiche::verification;
 
 constexpr double g = 9.81;
 
@@ -96,4 +94,4 @@ TEST_CASE("the Lagrangian manufactured solution satisfies the forced equations",
   CHECK(std::abs(flow.at(1, 0.4).velocity) < 1e-15);
 }
 
-}  // namespace thacker_test
+}  // namespace seiche::verification::thacker_test

@@ -8,11 +8,9 @@
 #include "validation/case/reference_table.hpp"
 #include "verification/self_test_claims.hpp"
 
-namespace wall_load_test {
+namespace seiche::verification::wall_load_test {
 
-using namespace seiche;
 using exact::WallLoad;
-using namespace seiche::verification;
 
 const std::string source =
     "Bernoulli's equation at the wall; Su & Mirie, J. Fluid Mech. 98 (1980) 509; Cooker, Weidman & Bale, J. Fluid "
@@ -109,4 +107,4 @@ TEST_CASE("loads scale with the depth, and waves beyond the method are rejected"
   CHECK_THROWS_AS(WallLoad(0.2, 1, 128, 0), std::invalid_argument);
 }
 
-}  // namespace wall_load_test
+}  // namespace seiche::verification::wall_load_test

@@ -8,11 +8,9 @@
 #include "validation/case/reference_table.hpp"
 #include "verification/self_test_claims.hpp"
 
-namespace wall_runup_test {
+namespace seiche::verification::wall_runup_test {
 
-using namespace seiche;
 using exact::WallRunup;
-using namespace seiche::verification;
 
 const std::string source =
     "Su & Mirie, J. Fluid Mech. 98 (1980) 509; Cooker, Weidman & Bale, J. Fluid Mech. 342 (1997) 141; regression: "
@@ -85,4 +83,4 @@ TEST_CASE("the run-up of solitary waves of other heights on a vertical wall agre
   for (std::size_t row = 1; row < table.rows(); row += 2) judged(check, table, row);
 }
 
-}  // namespace wall_runup_test
+}  // namespace seiche::verification::wall_runup_test

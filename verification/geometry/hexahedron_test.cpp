@@ -171,9 +171,8 @@ TEST_CASE("the symbol of the hexahedral mesh agrees with the assembled matrix", 
               "7 x 5 x 3 boxes of 0.4 x 0.6 between walls, on a level bottom, density 1.3. Cosines between the walls "
               "times a power of the layer, for every pair of phases: the assembled matrix against the symbol.",
               source);
-  const Model reference(
-      layer_mesh({.begin = 0, .end = 2.8, .south = 0, .north = 3, .depth = 1.5, .columns = 7, .rows = 5, .layers = 3}),
-      {.density = 1.3});
+  const Model reference(layer_mesh({.end = 2.8, .north = 3, .depth = 1.5, .columns = 7, .rows = 5, .layers = 3}),
+                        {.density = 1.3});
   Model model = Model(reference.mesh(), reference.settings());
   const mechanics::State state = model.state();
   model.linearise({0, 0}, state.q);

@@ -109,7 +109,7 @@ TEST_CASE("over a spline bottom still water stays at rest and energy is conserve
   const auto bottom = std::make_shared<SplineBottom>(SplineBottom::sampled(
       {.begin = -1, .end = 11, .south = -1, .north = 11, .spacing = 0.5},
       [](double x, double y) { return -1 + 0.4 * std::exp(-(x - 5) * (x - 5) - 0.5 * (y - 5) * (y - 5)); }));
-  Rectangle basin{.begin = 0, .end = 10, .south = 0, .north = 10, .columns = 20, .rows = 20, .bottom = bottom};
+  Rectangle basin{.begin = 0, .end = 10, .north = 10, .columns = 20, .rows = 20, .bottom = bottom};
   Flow lake(rectangular_lattice(basin));
   for (int n = 0; n < 200; ++n) lake.advance(0.1);
   Worst fastest;
@@ -139,7 +139,7 @@ TEST_CASE("a spline bottom rejects bad grids and positions", "[robustness]") {
   std::vector<double> holed = flat;
   holed[5] = std::numeric_limits<double>::quiet_NaN();
   CHECK_THROWS_AS(SplineBottom(four, four, holed), std::invalid_argument);
-  CHECK_THROWS_AS(SplineBottom::sampled({.begin = 0, .end = -1, .south = 0, .north = 1}, hill), std::invalid_argument);
+  CHECK_THROWS_AS(SplineBottom::sampled({.begin = 0, .end = -1, .north = 1}, hill), std::invalid_argument);
   const SplineBottom bottom(four, four, flat);
   CHECK_THROWS_AS(bottom.slope(3.01, 1), Infeasible);
   CHECK_THROWS_AS(bottom.integral(1, -0.01), Infeasible);

@@ -64,8 +64,7 @@ TEST_CASE("threads that share loops count denormal numbers as zero", "[linear]")
   });
   {
     namespace plan = dispersive_shallow_water_2d;
-    plan::Model model(plan::rectangular_lattice(
-                          {.begin = 0, .end = columns, .south = 0, .north = rows, .columns = columns, .rows = rows}),
+    plan::Model model(plan::rectangular_lattice({.end = columns, .north = rows, .columns = columns, .rows = rows}),
                       {.solver = linear::SolverMethod::iterative});
     model.linearise({}, model.state().q);
     const std::vector<double> u(model.rates(), tiny);
@@ -77,7 +76,7 @@ TEST_CASE("threads that share loops count denormal numbers as zero", "[linear]")
   }
   {
     namespace mesh = lagrangian_mesh_2d;
-    mesh::Model model(mesh::layer_mesh({.begin = 0, .end = columns, .depth = rows, .columns = columns, .rows = rows}),
+    mesh::Model model(mesh::layer_mesh({.end = columns, .depth = rows, .columns = columns, .rows = rows}),
                       {.solver = linear::SolverMethod::iterative});
     model.linearise({}, model.state().q);
     std::vector<double> u(model.rates());

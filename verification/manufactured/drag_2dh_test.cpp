@@ -136,8 +136,7 @@ TEST_CASE("the mesh's own pattern decays at its rate and smooth motions do not",
               "Velocities of 12 x 10 equal cells before and after a short time in which the pattern + - + - is slowed "
               "down: that pattern, velocities of second degree in x and y, and random ones.",
               "seiche/models/dispersive_shallow_water_2d/drag.hpp");
-  const Lattice lattice =
-      rectangular_lattice({.begin = 0, .end = 6, .south = 0, .north = 4, .columns = 12, .rows = 10, .depth = depth});
+  const Lattice lattice = rectangular_lattice({.end = 6, .north = 4, .columns = 12, .rows = 10, .depth = depth});
   const std::size_t n = lattice.shape.nodes();
   InverseMasses inverse(n);
   std::vector<double> masses(n);
@@ -221,8 +220,7 @@ TEST_CASE("steep converging water exchanges momentum and other water does not", 
               "12 x 10 equal cells 0.5 by 0.4, level bottom 0.8 deep, g = 1; the surface steps up by 1.2 along the "
               "sixth column, fronts steeper than 2 begin to break. Velocities before and after a short time. Then the "
               "step falls to 0.6, a bore of Froude number 1.55, and to 0.2, of 1.19.");
-  Lattice lattice =
-      rectangular_lattice({.begin = 0, .end = 6, .south = 0, .north = 4, .columns = 12, .rows = 10, .depth = depth});
+  Lattice lattice = rectangular_lattice({.end = 6, .north = 4, .columns = 12, .rows = 10, .depth = depth});
   const std::size_t n = lattice.shape.nodes();
   const std::vector<double> volumes(lattice.shape.cells(), 0.5 * 0.4 * (depth + 0.6));
   const Model model(lattice);

@@ -98,8 +98,7 @@ class HexahedralMotion {
 
   /// b = sum of the terms below.
   static std::shared_ptr<const PlanBottom> bottom() {
-    return std::make_shared<PolynomialBottom>(std::vector<PolynomialBottom::Term>{
-        {-1, 0, 0}, {tilt_x, 1, 0}, {tilt_y, 0, 1}, {twist, 1, 1}, {bend, 2, 0}, {skew, 1, 2}});
+    return polynomial_bottom({{-1, 0, 0}, {tilt_x, 1, 0}, {tilt_y, 0, 1}, {twist, 1, 1}, {bend, 2, 0}, {skew, 1, 2}});
   }
 
   /// @param place  at t = 0

@@ -36,7 +36,7 @@ struct Slope {
   double c1, c2;
 
   [[nodiscard]] std::shared_ptr<const PlanBottom> bottom() const {
-    return std::make_shared<PolynomialBottom>(std::vector<PolynomialBottom::Term>{{-1, 0, 0}, {c1, 1, 0}, {c2, 2, 0}});
+    return polynomial_bottom({{-1, 0, 0}, {c1, 1, 0}, {c2, 2, 0}});
   }
   [[nodiscard]] std::shared_ptr<const GraphCurve> curve() const {
     return std::make_shared<GraphCurve>([*this](double x) { return -1 + c1 * x + c2 * x * x; },

@@ -48,11 +48,7 @@ double water_in_cell(const Lattice& lattice, std::size_t cell) {
 
 /// A bowl -1 + (x/10)^2 + (y/12)^2 - x y/200.
 std::shared_ptr<const PlanBottom> bowl() {
-  return std::make_shared<PolynomialBottom>(
-      std::vector<PolynomialBottom::Term>{{.coefficient = -1},
-                                          {.coefficient = 0.01, .x_power = 2},
-                                          {.coefficient = 1.0 / 144, .y_power = 2},
-                                          {.coefficient = -0.005, .x_power = 1, .y_power = 1}});
+  return polynomial_bottom({{-1, 0, 0}, {0.01, 2, 0}, {1.0 / 144, 0, 2}, {-0.005, 1, 1}});
 }
 
 /// A sheared lattice, 4 x 3 cells, its south side a slanted wall, the others free.
@@ -169,9 +165,8 @@ TEST_CASE("nodes on a shore have the mass of a sixth of their cells", "[manufact
               "A node on the shoreline has the mass that linear elements give it, a sixth of each of its cells; all "
               "others have a quarter. A canal between walls, 6 x 2 cells, shores at both ends.",
               "linear elements; shoreline.hpp");
-  Lattice lattice = rectangular_lattice({.begin = -10, .end = 10, .south = 0, .north = 2, .columns = 6, .rows = 2});
-  lattice.bottom = std::make_shared<PolynomialBottom>(
-      std::vector<PolynomialBottom::Term>{{.coefficient = -1}, {.coefficient = 0.01, .x_power = 2}});
+  Lattice lattice = rectangular_lattice({.begin = -10, .end = 10, .north = 2, .columns = 6, .rows = 2});
+  lattice.bottom = polynomial_bottom({{.coefficient = -1}, {.coefficient = 0.01, .x_power = 2}});
   lattice.sides.west = lattice.sides.east = plan_lattice::ShoreSide{};
   const Model model(lattice);
   Worst worst;
@@ -198,7 +193,7 @@ TEST_CASE("the bottom's energy under a moving shoreline", "[manufactured]") {
               "over both parameters is taken by Gauss's rule of 7 x 7 points.",
               "closed form");
   const auto lattice_over = [](std::vector<PolynomialBottom::Term> terms) {
-    Lattice lattice = rectangular_lattice({.begin = 0, .end = 3, .south = 0, .north = 2, .columns = 3, .rows = 2});
+    Lattice lattice = rectangular_lattice({.end = 3, .north = 2, .columns = 3, .rows = 2});
     lattice.bottom = std::make_shared<PolynomialBottom>(std::move(terms));
     lattice.sides.east = plan_lattice::ShoreSide{};
     return lattice;
@@ -273,8 +268,7 @@ TEST_CASE("a moving window appends still water of its own depth", "[manufactured
         {.end = 4, .north = 3, .columns = 4, .rows = 3, .sides = {.west = plan_lattice::HeldSide{}}, .depth = 2});
     for (double& x : lattice.x) x *= 1 + 0.1 * x;
     if (inclined) {
-      lattice.bottom = std::make_shared<PolynomialBottom>(
-          std::vector<PolynomialBottom::Term>{{.coefficient = -2}, {.coefficient = 0.1, .x_power = 1}});
+      lattice.bottom = polynomial_bottom({{.coefficient = -2}, {.coefficient = 0.1, .x_power = 1}});
     }
     const double east = lattice.x[4];
     const double width = lattice.x[4] - lattice.x[3];

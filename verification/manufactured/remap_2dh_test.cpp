@@ -27,8 +27,7 @@ struct Errors {
 
 /// Root mean squares over the nodes after a remap by up to 0.3 of a cell along both directions.
 Errors errors(std::size_t n) {
-  const Model model(rectangular_lattice(
-      {.begin = 0, .end = size, .south = 0, .north = size, .columns = n, .rows = n, .elevation = elevation}));
+  const Model model(rectangular_lattice({.end = size, .north = size, .columns = n, .rows = n, .elevation = elevation}));
   const mechanics::State state = model.state(velocity);
   const double way = 0.3 * size / static_cast<double>(n);
   std::vector<double> x = model.lattice().x;

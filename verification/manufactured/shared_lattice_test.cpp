@@ -72,7 +72,7 @@ double wave(double x, double y) {
 /// Columns of growing width up to the last two, between walls.
 plan::Lattice water() {
   plan::Lattice lattice = plan::rectangular_lattice(
-      {.begin = 0, .end = 8, .south = 0, .north = 6, .columns = whole.columns, .rows = whole.rows, .elevation = wave});
+      {.end = 8, .north = 6, .columns = whole.columns, .rows = whole.rows, .elevation = wave});
   for (double& x : lattice.x) x *= 1 + 0.02 * std::min(x, 6.0);
   return lattice;
 }
@@ -236,8 +236,7 @@ TEST_CASE("blocks of a mesh are shifted by a window as the whole is", "[manufact
               "columns; after each shift copies get the values of their owners. The blocks must agree with the whole.");
   shift_blocks<plan::Model>(check, "plan", "The 2DH model", water());
   plan::Lattice inclined = water();
-  inclined.bottom = std::make_shared<PolynomialBottom>(
-      std::vector<PolynomialBottom::Term>{{.coefficient = -2}, {.coefficient = 0.05, .x_power = 1}});
+  inclined.bottom = polynomial_bottom({{.coefficient = -2}, {.coefficient = 0.05, .x_power = 1}});
   shift_blocks<plan::Model>(check, "inclined", "The 2DH model over an inclined bottom", inclined);
   shift_blocks<mesh::Model>(check, "hexahedra", "Layers of hexahedra", hexahedra());
 }
@@ -248,8 +247,7 @@ TEST_CASE("the potential energies of blocks add up to the energy of the whole", 
               "block counts the cells that it owns: their surfaces, the edges of the shore beside them, the slopes of "
               "their surfaces.",
               source);
-  const auto bottom = std::make_shared<PolynomialBottom>(
-      std::vector<PolynomialBottom::Term>{{.coefficient = -1}, {.coefficient = 1.0 / 16, .x_power = 2}});
+  const auto bottom = polynomial_bottom({{.coefficient = -1}, {.coefficient = 1.0 / 16, .x_power = 2}});
   plan::Lattice lattice =
       plan::rectangular_lattice({.begin = -4,
                                  .end = 4,

@@ -4,7 +4,6 @@
 //   flips              per node and step
 //   iterations         of conjugate gradients per step, where there are more unknowns than are factorised
 #include <benchmark/benchmark.h>
-#include <omp.h>
 
 #include <boost/polygon/voronoi.hpp>
 #include <cmath>
@@ -27,7 +26,7 @@ using std::numbers::pi;
 constexpr double members = 7;
 
 Mesh box(int n) {
-  return jittered(layer_mesh({.begin = 0, .end = 1, .columns = n, .rows = n}), 0.2, 1);
+  return jittered(layer_mesh({.end = 1, .columns = n, .rows = n}), 0.2, 1);
 }
 
 Point eddy(Point r) {
@@ -88,8 +87,7 @@ void linearisation(benchmark::State& state) {
 /// Whole steps that flip edges: cells along a side, threads. Counted are the pressures; flips
 /// and geometry branch.
 void steps(benchmark::State& state) {
-  const int threads = omp_get_max_threads();
-  omp_set_num_threads(static_cast<int>(state.range(1)));
+  const performance::Threads threads(state.range(1));
   const auto n = static_cast<int>(state.range(0));
   Flow flow(box(n), eddy, {.gravity = 0, .stabilisation = 0.01});
   flow.advance(0.02 / n);  // the analysis
@@ -103,7 +101,6 @@ void steps(benchmark::State& state) {
   performance::show(state, performance::ring_factorisation(solver.factor_work(), nodes, members) +
                                performance::ring_solution(solver.factor_work(),
                                                           static_cast<double>(flow.model().matrix().values().size())));
-  omp_set_num_threads(threads);
 }
 
 BENCHMARK(flips_and_geometry)->Arg(100)->Arg(316)->Arg(1000)->Unit(benchmark::kMillisecond);

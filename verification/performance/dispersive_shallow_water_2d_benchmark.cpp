@@ -8,7 +8,6 @@
 // round-off). Solvers: conjugate gradients, preconditioned by the undeformed lattice, to a relative residual of 1e-7 or
 // 1e-12; CHOLMOD.
 #include <benchmark/benchmark.h>
-#include <omp.h>
 
 #include <cmath>
 
@@ -66,8 +65,7 @@ void step(benchmark::State& state, Stepping stepping, SolverMethod solver, doubl
   const auto columns = static_cast<std::size_t>(state.range(0));
   const auto rows = static_cast<std::size_t>(state.range(1));
   const double h = static_cast<double>(state.range(2)) / 1000;
-  const int threads = omp_get_max_threads();
-  omp_set_num_threads(static_cast<int>(state.range(3)));
+  const performance::Threads threads(state.range(3));
   const double tau = 0.5 * h;
   Flow flow = start(columns, rows, h, stepping, solver, tolerance);
   for (int k = 0; k < 20; ++k) flow.advance(tau);
@@ -83,7 +81,6 @@ void step(benchmark::State& state, Stepping stepping, SolverMethod solver, doubl
   state.counters["iterations"] = iterations_per_step;
   performance::show(state, work_of(solves_per_step, iterations_per_step, system.factor_work(),
                                    static_cast<double>(columns), static_cast<double>(rows)));
-  omp_set_num_threads(threads);
 }
 
 /// Long before the wave reaches the wall.

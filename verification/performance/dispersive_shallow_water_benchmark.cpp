@@ -7,7 +7,6 @@
 // Channels: level between walls, level and periodic, and a plane beach with a shoreline at its end. Schemes: A
 // one-step, B one-step with feedback, C conservative with three sweeps.
 #include <benchmark/benchmark.h>
-#include <omp.h>
 
 #include <memory>
 #include <vector>
@@ -69,8 +68,7 @@ performance::Work work_of(Stepping stepping, double sloping) {
 
 void marker_steps(benchmark::State& state, Site site, Stepping stepping) {
   const Scheme scheme{.stepping = stepping, .fixed_sweeps = stepping == Stepping::conservative ? sweeps : 0};
-  const int threads = omp_get_max_threads();
-  omp_set_num_threads(static_cast<int>(state.range(1)));
+  const performance::Threads threads(state.range(1));
   Flow flow = start(site, static_cast<std::size_t>(state.range(0)), scheme);
   const auto markers = static_cast<double>(flow.x().size());
   // A wave that reached the shore would change the work: begin again in time.
@@ -86,7 +84,6 @@ void marker_steps(benchmark::State& state, Site site, Stepping stepping) {
   state.SetItemsProcessed(static_cast<std::int64_t>(static_cast<double>(state.iterations()) * markers));
   performance::show(state, markers * work_of(stepping, site == Site::beach ? -toe / spacing / markers : 0));
   benchmark::DoNotOptimize(flow.x().data());
-  omp_set_num_threads(threads);
 }
 
 /// Markers and threads.

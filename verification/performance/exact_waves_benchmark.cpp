@@ -46,14 +46,19 @@ void solve_stokes_finite(benchmark::State& state) {
 }
 BENCHMARK(solve_stokes_finite)->Arg(2)->Arg(5)->Arg(10)->Unit(benchmark::kMillisecond);
 
-template <class Wave>
-void evaluate_velocity(benchmark::State& state, const Wave& wave) {
+template <class Value>
+void evaluate(benchmark::State& state, const Value& value) {
   double x = 0;
   for (auto _ : state) {
     x = next_place(x);
-    benchmark::DoNotOptimize(wave.velocity(x, -0.4));
+    benchmark::DoNotOptimize(value(x));
   }
   show_not_counted(state, "adaptive");
+}
+
+template <class Wave>
+void evaluate_velocity(benchmark::State& state, const Wave& wave) {
+  evaluate(state, [&](double x) { return wave.velocity(x, -0.4); });
 }
 BENCHMARK_CAPTURE(evaluate_velocity, solitary, SolitaryWave(0.5));
 BENCHMARK_CAPTURE(evaluate_velocity, solitary_steep, SolitaryWave(0.83));
@@ -62,12 +67,7 @@ BENCHMARK_CAPTURE(evaluate_velocity, stokes_finite, StokesWave(0.2, wavelength, 
 
 template <class Wave>
 void evaluate_elevation(benchmark::State& state, const Wave& wave) {
-  double x = 0;
-  for (auto _ : state) {
-    x = next_place(x);
-    benchmark::DoNotOptimize(wave.elevation(x));
-  }
-  show_not_counted(state, "adaptive");
+  evaluate(state, [&](double x) { return wave.elevation(x); });
 }
 BENCHMARK_CAPTURE(evaluate_elevation, solitary, SolitaryWave(0.5));
 BENCHMARK_CAPTURE(evaluate_elevation, stokes_deep, StokesWave(0.3, wavelength, StokesWave::deep, 1));

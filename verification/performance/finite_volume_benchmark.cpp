@@ -5,8 +5,6 @@
 //                     channel of several strips what leaves a strip: four arrays, read and written.
 #include <benchmark/benchmark.h>
 
-#include <omp.h>
-
 #include <cmath>
 #include <vector>
 
@@ -46,8 +44,7 @@ performance::Work work_of(Scheme scheme, std::size_t cells) {
 
 void finite_volume_steps(benchmark::State& state, Scheme scheme) {
   const auto cells = static_cast<std::size_t>(state.range(0));
-  const int threads = omp_get_max_threads();
-  omp_set_num_threads(static_cast<int>(state.range(1)));
+  const performance::Threads threads(state.range(1));
   std::vector<double> depth(cells);
   for (std::size_t i = 0; i < cells; ++i) {
     depth[i] = 1 + 0.1 * std::sin(50.0 * static_cast<double>(i) / static_cast<double>(cells));
@@ -60,7 +57,6 @@ void finite_volume_steps(benchmark::State& state, Scheme scheme) {
   state.SetItemsProcessed(state.iterations() * state.range(0));
   performance::show(state, static_cast<double>(cells) * work_of(scheme, cells));
   benchmark::DoNotOptimize(flow.depth().data());
-  omp_set_num_threads(threads);
 }
 
 /// Cells and threads.

@@ -2,7 +2,6 @@
 //
 //   items_per_second   particles * steps / second
 #include <benchmark/benchmark.h>
-#include <omp.h>
 
 #include <cmath>
 #include <memory>
@@ -35,8 +34,7 @@ void wave_steps(benchmark::State& state) {
   const double length = 2 * std::numbers::pi;
   const double h = length / static_cast<double>(state.range(0));
   const auto cells = static_cast<std::size_t>(state.range(0));
-  const int before = omp_get_max_threads();
-  omp_set_num_threads(static_cast<int>(state.range(1)));
+  const performance::Threads threads(state.range(1));
   auto space = std::make_unique<SplineSpace>(LatticePlan{.cell_x = h,
                                                          .left_wall = 0.0,
                                                          .period = length,
@@ -58,7 +56,6 @@ void wave_steps(benchmark::State& state) {
   state.SetItemsProcessed(state.iterations() * static_cast<long>(flow.model().size()));
   state.counters["unknowns"] = static_cast<double>(splines.facts().unknowns);
   performance::show(state, work_of(splines, static_cast<double>(flow.model().size())));
-  omp_set_num_threads(before);
 }
 
 BENCHMARK(wave_steps)->ArgsProduct({{20, 40, 80, 240}, {1, 2}})->Unit(benchmark::kMillisecond)->UseRealTime();

@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include <benchmark/benchmark.h>
-#include <omp.h>
 
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 #include "seiche/models/shallow_water_particles/particles.hpp"
@@ -32,8 +31,7 @@ void count_work(benchmark::State& state, std::size_t particles, double operation
 
 void standing_wave_steps(benchmark::State& state, Level level) {
   const auto count = static_cast<std::size_t>(state.range(0));
-  const int threads = omp_get_max_threads();
-  omp_set_num_threads(static_cast<int>(state.range(1)));
+  const seiche::performance::Threads threads(state.range(1));
   Scheme scheme;
   scheme.level = level;
   ParticleFlow flow(standing_wave(count), {}, {}, scheme);
@@ -41,7 +39,6 @@ void standing_wave_steps(benchmark::State& state, Level level) {
   const double tau = 0.8 * flow.largest_step().tau;
   for (auto _ : state) flow.advance(tau);
   count_work(state, count, level == Level::godunov ? 110 : 170);
-  omp_set_num_threads(threads);
 }
 
 void dam_break_steps(benchmark::State& state) {

@@ -21,7 +21,7 @@ constexpr double members = 7;
 void variable_mass_steps(benchmark::State& state) {
   const auto rows = static_cast<int>(state.range(0));
   const auto hump = [](double x) { return 0.1 / std::pow(std::cosh(0.26 * (x - 20)), 2); };
-  Flow flow(free_lagrangian::layer_mesh({.begin = 0, .end = 40, .columns = 40 * rows, .rows = rows}),
+  Flow flow(free_lagrangian::layer_mesh({.end = 40, .columns = 40 * rows, .rows = rows}),
             {.elevation = hump,
              .velocity =
                  [&](Point r) {

@@ -11,8 +11,6 @@
 
 #include <variant>
 
-#include <omp.h>
-
 #include "seiche/models/wcsph/flow.hpp"
 #include "seiche/models/wcsph/scene.hpp"
 #include "verification/live_memory.hpp"
@@ -44,17 +42,21 @@ performance::Work work_of(const Settings& settings, double particles, double int
          performance::Work{0, interactions * operations_per_pair(settings)};
 }
 
-void dam_break_steps(benchmark::State& state, Settings settings) {
-  const auto across = static_cast<double>(state.range(0));
-  omp_set_num_threads(static_cast<int>(state.range(1)));
+/// Sets the speed of sound.
+Scene column(long across, Settings& settings) {
   constexpr double width = 0.057;
   settings.sound_speed = sound_speed_for(settings.gravity, 4 * width);
-  const Scene scene = dam_break({.width = width,
-                                 .height = 2 * width,
-                                 .tank_length = 4 * width,
-                                 .wall_height = 3.5 * width,
-                                 .spacing = width / across},
-                                settings);
+  return dam_break({.width = width,
+                    .height = 2 * width,
+                    .tank_length = 4 * width,
+                    .wall_height = 3.5 * width,
+                    .spacing = width / static_cast<double>(across)},
+                   settings);
+}
+
+void dam_break_steps(benchmark::State& state, Settings settings) {
+  const performance::Threads threads(state.range(1));
+  const Scene scene = column(state.range(0), settings);
   const double held = verification::live_bytes();
   Flow flow(scene.particles, scene.spacing, settings);
   for (int step = 0; step < 10; ++step) flow.advance(flow.stable_step());
@@ -75,38 +77,25 @@ const Settings extrapolated{.viscosity = ArtificialViscosity{0.3}, .walls = Wall
 const Settings filtered{.viscosity = ArtificialViscosity{0.3}, .filter_every = 1};
 const Settings shifting{.viscosity = ArtificialViscosity{0.3}, .particle_shifting = true};
 
-BENCHMARK_CAPTURE(dam_break_steps, artificial_viscosity, standard)
-    ->Args({50, 1})
-    ->Args({50, 2})
-    ->Args({690, 1})
-    ->Args({690, 2})
-    ->UseRealTime();
-BENCHMARK_CAPTURE(dam_break_steps, laminar_and_sps, Settings{.viscosity = LaminarSps{}})
-    ->Args({50, 1})
-    ->Args({50, 2})
-    ->Args({690, 1})
-    ->Args({690, 2})
-    ->UseRealTime();
+void small(benchmark::internal::Benchmark* benchmark) {
+  benchmark->ArgsProduct({{50}, {1, 2}})->UseRealTime();
+}
+void small_and_large(benchmark::internal::Benchmark* benchmark) {
+  benchmark->ArgsProduct({{50, 690}, {1, 2}})->UseRealTime();
+}
 
-BENCHMARK_CAPTURE(dam_break_steps, density_diffusion, diffusive)->Args({50, 1})->Args({50, 2})->UseRealTime();
-BENCHMARK_CAPTURE(dam_break_steps, extrapolated_walls, extrapolated)->Args({50, 1})->Args({50, 2})->UseRealTime();
-BENCHMARK_CAPTURE(dam_break_steps, filter_every_step, filtered)->Args({50, 1})->Args({50, 2})->UseRealTime();
-BENCHMARK_CAPTURE(dam_break_steps, particle_shifting, shifting)->Args({50, 1})->Args({50, 2})->UseRealTime();
+BENCHMARK_CAPTURE(dam_break_steps, artificial_viscosity, standard)->Apply(small_and_large);
+BENCHMARK_CAPTURE(dam_break_steps, laminar_and_sps, Settings{.viscosity = LaminarSps{}})->Apply(small_and_large);
+BENCHMARK_CAPTURE(dam_break_steps, density_diffusion, diffusive)->Apply(small);
+BENCHMARK_CAPTURE(dam_break_steps, extrapolated_walls, extrapolated)->Apply(small);
+BENCHMARK_CAPTURE(dam_break_steps, filter_every_step, filtered)->Apply(small);
+BENCHMARK_CAPTURE(dam_break_steps, particle_shifting, shifting)->Apply(small);
 
 /// Rates alone.
 void dam_break_rates(benchmark::State& state) {
-  const auto across = static_cast<double>(state.range(0));
-  omp_set_num_threads(1);
-  constexpr double width = 0.057;
-  Settings settings;
-  settings.viscosity = ArtificialViscosity{0.3};
-  settings.sound_speed = sound_speed_for(settings.gravity, 4 * width);
-  const Scene scene = dam_break({.width = width,
-                                 .height = 2 * width,
-                                 .tank_length = 4 * width,
-                                 .wall_height = 3.5 * width,
-                                 .spacing = width / across},
-                                settings);
+  const performance::Threads threads(1);
+  Settings settings = standard;
+  const Scene scene = column(state.range(0), settings);
   Flow flow(scene.particles, scene.spacing, settings);
   const long long before = flow.extremes().interactions;
   for (auto _ : state) benchmark::DoNotOptimize(flow.rates());

@@ -12,6 +12,7 @@
 #pragma once
 
 #include <benchmark/benchmark.h>
+#include <omp.h>
 
 #include <cmath>
 #include <string>
@@ -37,6 +38,18 @@ inline void show(benchmark::State& state, Work per_step) {
   state.counters["bytes_per_step"] = per_step.bytes;
   state.counters["operations_per_step"] = per_step.operations;
 }
+
+/// So many threads, until the benchmark has ended.
+class Threads {
+ public:
+  explicit Threads(long count) { omp_set_num_threads(static_cast<int>(count)); }
+  Threads(const Threads&) = delete;
+  Threads& operator=(const Threads&) = delete;
+  ~Threads() { omp_set_num_threads(usual_); }
+
+ private:
+  int usual_ = omp_get_max_threads();
+};
 
 /// Instead of counters, where what is done depends on the numbers met: a word that says why.
 inline void show_not_counted(benchmark::State& state, const char* why) {

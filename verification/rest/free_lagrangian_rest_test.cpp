@@ -49,7 +49,7 @@ TEST_CASE("water at rest in cells and particles stays at rest on any mesh", "[re
               "rho g balance to rounding, for any exchange of mass: the areas of all cells add up to the polygon.");
   for (const double level : {0.0, 1.0}) {
     const std::string at = level == 0 ? " at y = 0" : " at y = 1";
-    const Mesh flat = layer_mesh({.begin = 0, .end = 3, .bottom = level - 1, .level = level, .columns = 24, .rows = 8});
+    const Mesh flat = layer_mesh({.end = 3, .bottom = level - 1, .level = level, .columns = 24, .rows = 8});
     const Mesh stepped = stepped_channel_mesh(
         {.begin = 0, .step = 2, .end = 4, .bottom = level - 1, .shelf = level - 0.5, .level = level, .rows = 8});
     for (const unsigned long seed : {1UL, 2UL, 3UL}) {

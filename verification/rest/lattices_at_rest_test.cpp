@@ -137,7 +137,7 @@ TEST_CASE("lakes at rest on random meshes stay at rest bitwise", "[rest]") {
   using namespace lagrangian_mesh_3d;
   const plan_lattice::DrivenSide still{[](Place, double) { return Point{}; }};
   const auto bend = [](double x) { return x < 3 ? 0.0 : (x - 3) * 0.5; };
-  Layer box{.begin = 0, .end = 6, .south = 0, .north = 4, .columns = 12, .rows = 8, .layers = 3};
+  Layer box{.begin = 0, .end = 6, .north = 4, .columns = 12, .rows = 8, .layers = 3};
   Layer wedge = box, shoal = box, wedge_over_shoal = box, window = box;
   wedge.south_wall = wedge_over_shoal.south_wall = bend;
   shoal.bottom = wedge_over_shoal.bottom = uneven_bottom();

@@ -66,18 +66,18 @@ TEST_CASE("every flow rejects steps that are not positive and finite, and times 
             Flow(channel, solitary_markers(channel, -20, 0, 0.5, {.amplitude = 0.1, .crest = -10})));
   }
   refuses(check, "Dispersive 2DH",
-          dispersive_shallow_water_2d::Flow(dispersive_shallow_water_2d::rectangular_lattice(
-              {.begin = 0, .end = 4, .south = 0, .north = 3, .columns = 8, .rows = 6})));
+          dispersive_shallow_water_2d::Flow(
+              dispersive_shallow_water_2d::rectangular_lattice({.end = 4, .north = 3, .columns = 8, .rows = 6})));
   refuses(check, "Dispersive 2DH, rezoned", validation::ConicalIsland({.height = 0.045, .spacing = 1}).rezoned_flow());
   refuses(check, "Lagrangian mesh",
-          lagrangian_mesh_2d::Flow(lagrangian_mesh_2d::layer_mesh({.begin = 0, .end = 3, .columns = 12, .rows = 4})));
+          lagrangian_mesh_2d::Flow(lagrangian_mesh_2d::layer_mesh({.end = 3, .columns = 12, .rows = 4})));
   refuses(check, "Hexahedra",
-          lagrangian_mesh_3d::Flow(lagrangian_mesh_3d::layer_mesh(
-              {.begin = 0, .end = 3, .south = 0, .north = 2, .columns = 6, .rows = 4, .layers = 2})));
+          lagrangian_mesh_3d::Flow(
+              lagrangian_mesh_3d::layer_mesh({.end = 3, .north = 2, .columns = 6, .rows = 4, .layers = 2})));
   const auto patch = free_lagrangian::jittered(free_lagrangian::free_patch(16, 8, {-1, -0.5}, {1, 0.5}), 0.2, 1);
   refuses(check, "Dirichlet cells", dirichlet_mesh::Flow(patch));
   refuses(check, "Variable masses",
-          variable_mass::Flow(free_lagrangian::layer_mesh({.begin = 0, .end = 3, .columns = 9, .rows = 4})));
+          variable_mass::Flow(free_lagrangian::layer_mesh({.end = 3, .columns = 9, .rows = 4})));
   refuses(check, "Overlapping particles", overlapping_particles::Flow(overlapping_particles::staggered_disc(1, 0.125)));
   {
     using namespace gauss_particles;

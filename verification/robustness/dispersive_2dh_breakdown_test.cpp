@@ -6,6 +6,7 @@
 #include <string>
 
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
+#include "verification/polynomial_bottom.hpp"
 #include "verification/robustness/breakdown.hpp"
 
 namespace seiche::verification::dispersive_2dh_breakdown_test {
@@ -13,26 +14,6 @@ namespace seiche::verification::dispersive_2dh_breakdown_test {
 using namespace dispersive_shallow_water_2d;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-
-/// z = -depth for |x| < 7 only.
-class ShortBottom final : public PlanBottom {
- public:
-  explicit ShortBottom(double depth) : depth_(depth) {}
-  [[nodiscard]] Slope slope(double x, double y) const override {
-    require_inside(x, y);
-    return {.elevation = -depth_};
-  }
-  [[nodiscard]] Integral integral(double x, double y) const override {
-    require_inside(x, y);
-    return {.elevation = -depth_, .value = -depth_ * x};
-  }
-
- private:
-  static void require_inside(double x, double y) {
-    if (!(std::abs(x) < 7)) throw Infeasible(x, "({:g}, {:g}) is outside the bottom", x, y);
-  }
-  double depth_;
-};
 
 /// A square of water 1 deep that stands in water of some depth, without sides.
 Rectangle block(double depth) {
@@ -60,7 +41,7 @@ TEST_CASE("meshes that tangle, touch their bottom or leave it stop with time, st
   for (const Stepping stepping : {Stepping::one_step, Stepping::conservative}) {
     const Scheme scheme{.stepping = stepping};
     Flow eddy(
-        rectangular_lattice({.begin = 0, .end = 10, .south = 0, .north = 10, .columns = 20, .rows = 20}),
+        rectangular_lattice({.end = 10, .north = 10, .columns = 20, .rows = 20}),
         [](double x, double y) {
           const double k = std::numbers::pi / 10;
           return Velocity{0.5 * std::sin(k * x) * std::cos(k * y), -0.5 * std::cos(k * x) * std::sin(k * y), 0};
@@ -72,13 +53,13 @@ TEST_CASE("meshes that tangle, touch their bottom or leave it stop with time, st
     holds_of_breakdown(check, name_of(stepping) + "-collapse", run_until_breakdown(collapse, 60, 0.02),
                        "touches the bottom", -20, 20);
     Rectangle over_short = block(0.5);
-    over_short.bottom = std::make_shared<ShortBottom>(0.5);
+    over_short.bottom = std::make_shared<EndingBottom>(0.5, -7, 7);
     Flow spread(rectangular_lattice(over_short), {}, scheme);
     const Breakdown left = run_until_breakdown(spread, 60, 0.05);
     holds_of_breakdown(check, name_of(stepping) + "-spread", left, "outside the bottom", -infinite, infinite);
     check.holds(name_of(stepping) + "-spread-end: The reported position is beyond the end of the bed.",
                 {std::abs(left.place)}, Bound{0.2, "one step's way beyond the end", 7.1});
-    Rectangle driven{.begin = 0, .end = 10, .south = 0, .north = 5, .columns = 20, .rows = 10};
+    Rectangle driven{.begin = 0, .end = 10, .north = 5, .columns = 20, .rows = 10};
     driven.sides.west = plan_lattice::DrivenSide{[](Place, double time) {
       return Point{time < 1 ? 0.1 * time : std::numeric_limits<double>::quiet_NaN(), 0};
     }};

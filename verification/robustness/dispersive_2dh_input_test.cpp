@@ -13,26 +13,8 @@ namespace seiche::verification::dispersive_2dh_input_test {
 using namespace dispersive_shallow_water_2d;
 
 Rectangle still_water() {
-  return {.begin = 0, .end = 4, .south = 0, .north = 3, .columns = 4, .rows = 3};
+  return {.begin = 0, .end = 4, .north = 3, .columns = 4, .rows = 3};
 }
-
-/// Defined for x < 3 only.
-class ShortBottom final : public PlanBottom {
- public:
-  [[nodiscard]] Slope slope(double x, double y) const override {
-    require_inside(x, y);
-    return {.elevation = -1};
-  }
-  [[nodiscard]] Integral integral(double x, double y) const override {
-    require_inside(x, y);
-    return {.elevation = -1, .value = -x};
-  }
-
- private:
-  static void require_inside(double x, double y) {
-    if (!(x < 3)) throw Infeasible(x, "({:g}, {:g}) is outside the bottom; allowed: x within 3", x, y);
-  }
-};
 
 TEST_CASE("bad meshes and settings of the 2DH model are rejected with name, value and range", "[robustness]") {
   Check check("dispersive_2dh_input", "Bad input of the two-dimensional horizontal model",
@@ -50,13 +32,12 @@ TEST_CASE("bad meshes and settings of the 2DH model are rejected with name, valu
   rectangle({"z = -1.5", "(2, 0)", "above the bottom", "-1"},
             [](Rectangle& r) { r.elevation = [](double x, double) { return x < 2 ? 0 : -1.5; }; });
   rectangle({"z = 0", "(3, 0)", "above the bottom", "0.5"}, [](Rectangle& r) {
-    r.bottom = std::make_shared<PolynomialBottom>(
-        std::vector<PolynomialBottom::Term>{{.coefficient = -1}, {.coefficient = 0.5, .x_power = 1}});
+    r.bottom = polynomial_bottom({{.coefficient = -1}, {.coefficient = 0.5, .x_power = 1}});
     r.elevation = [](double x, double) { return x > 2 ? 0 : 0.2; };
   });
   rectangle({"z[0]", "nan", "finite"}, [](Rectangle& r) { r.elevation = [](double, double) { return not_a_number; }; });
   rectangle({"(3, 0)", "outside the bottom", "x within"},
-            [](Rectangle& r) { r.bottom = std::make_shared<ShortBottom>(); });
+            [](Rectangle& r) { r.bottom = std::make_shared<EndingBottom>(1, -1, 3); });
   const auto lattice = refusals.of(rectangular_lattice(still_water()), [&](Lattice l) { Flow flow(std::move(l)); });
   lattice({"z has 19 values", "20", "4 x 3"}, [](Lattice& l) { l.z.pop_back(); });
   lattice({"x[7]", "nan", "finite"}, [](Lattice& l) { l.x[7] = not_a_number; });
@@ -99,8 +80,7 @@ TEST_CASE("bad meshes and settings of the 2DH model are rejected with name, valu
   });
   Rectangle beach = still_water();
   beach.sides.south = plan_lattice::ShoreSide{};
-  beach.bottom =
-      std::make_shared<PolynomialBottom>(std::vector<PolynomialBottom::Term>{{.coefficient = -1, .y_power = 1}});
+  beach.bottom = polynomial_bottom({{.coefficient = -1, .y_power = 1}});
   refusals.refused({"moving window", "shoreline"}, [&] {
     Flow flow(rectangular_lattice(beach), {}, {}, {}, {}, {.reach = [](double t) { return t; }});
   });
@@ -114,7 +94,7 @@ TEST_CASE("steps of the 2DH model beyond stability are counted", "[robustness]")
   Check check("dispersive_2dh_stability", "Two-dimensional horizontal model: steps beyond stability",
               "The longest stable step is at least 2/omega of the fastest mode, $\\omega < \\sqrt{g/(\\alpha H)}$, "
               "whatever the cells. Longer steps are a warning, not an error: small waves may not notice.");
-  Flow flow(rectangular_lattice({.begin = 0, .end = 1, .south = 0, .north = 1, .columns = 20, .rows = 20}));
+  Flow flow(rectangular_lattice({.end = 1, .north = 1, .columns = 20, .rows = 20}));
   check.holds("The bound of the step agrees with the fastest mode.", {flow.stable_step() / (2 * std::sqrt(1.0 / 3))},
               Bound{0.01, "omega^2 = g H K^2/(1 + alpha H^2 K^2), K^2 = 3200 for cells of 0.05", 1, true});
   flow.advance(0.5 * flow.stable_step());

@@ -144,7 +144,7 @@ TEST_CASE("a step that fails leaves a flow as it was", "[robustness]") {
   using mesh::Stepping;
   for (const Stepping stepping : {Stepping::one_step, Stepping::one_step_feedback, Stepping::conservative}) {
     for (const double tau : {0.05, 0.06, 0.07, 0.08, 0.09}) {
-      mesh::Mesh water = mesh::layer_mesh_with_slope({.begin = 0, .end = 4, .columns = 16, .rows = 4}, 1);
+      mesh::Mesh water = mesh::layer_mesh_with_slope({.end = 4, .columns = 16, .rows = 4}, 1);
       const auto one = [](double) { return 1.0; };
       water.sides.right = mesh::Wall{
           std::make_shared<GraphCurve>([](double x) { return x - 5; }, one, [](double) { return 0.0; }, 3.9, 5.05, 8)};
@@ -153,7 +153,7 @@ TEST_CASE("a step that fails leaves a flow as it was", "[robustness]") {
     }
     for (const double last : {0.0, 0.5}) {
       for (const auto composition : {TimeComposition::none, TimeComposition::suzuki}) {
-        mesh::Flow flow(mesh::layer_mesh({.begin = 0, .end = 4, .columns = 16, .rows = 4}),
+        mesh::Flow flow(mesh::layer_mesh({.end = 4, .columns = 16, .rows = 4}),
                         [](Point r) {
                           return Point{0.1 * std::sin(r.x), 0};
                         },

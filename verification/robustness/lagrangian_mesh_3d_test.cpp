@@ -16,11 +16,11 @@ namespace seiche::verification::lagrangian_mesh_3d_test {
 using namespace lagrangian_mesh_3d;
 
 Layer still_layer() {
-  return {.begin = 0, .end = 4, .south = 0, .north = 3, .columns = 4, .rows = 3, .layers = 2};
+  return {.begin = 0, .end = 4, .north = 3, .columns = 4, .rows = 3, .layers = 2};
 }
 
 std::shared_ptr<const PlanBottom> plane_bottom(double slope) {
-  return std::make_shared<PolynomialBottom>(std::vector<PolynomialBottom::Term>{{-1, 0, 0}, {slope, 1, 0}});
+  return polynomial_bottom({{-1, 0, 0}, {slope, 1, 0}});
 }
 
 TEST_CASE("bad hexahedral meshes and settings are rejected with name, value and range", "[robustness]") {

@@ -13,7 +13,7 @@ namespace seiche::verification::lagrangian_mesh_input_test {
 using namespace lagrangian_mesh_2d;
 
 Mesh still_water() {
-  return layer_mesh({.begin = 0, .end = 4, .columns = 4, .rows = 2});
+  return layer_mesh({.end = 4, .columns = 4, .rows = 2});
 }
 
 GraphCurve::Function constant(double value) {
@@ -113,7 +113,7 @@ TEST_CASE("meshes that cannot be rezoned are rejected with the reason", "[robust
               "Layers and patches with rezoning, with one error at a time.");
   Refusals refusals(check);
   const auto layer = [](std::size_t columns, std::size_t rows) {
-    return layer_mesh({.begin = 0, .end = 4, .columns = columns, .rows = rows});
+    return layer_mesh({.end = 4, .columns = columns, .rows = rows});
   };
   const auto refused = [&](const std::vector<std::string>& words, const Mesh& mesh, double drift = 0.2,
                            const Forcing& forcing = {}) {
@@ -125,8 +125,7 @@ TEST_CASE("meshes that cannot be rezoned are rejected with the reason", "[robust
   refused({"rows", "= 2", "at least 3"}, layer(4, 2));
   refused({"columns", "= 2", "at least 3"}, layer(2, 4));
   refused({"left side", "straight wall"}, free_patch(4, 4, {0, 0}, {1, 1}));
-  refused({"right side", "straight wall"},
-          layer_mesh_with_slope({.begin = 0, .end = 4, .columns = 8, .rows = 4}, 1, 2, 0.5));
+  refused({"right side", "straight wall"}, layer_mesh_with_slope({.end = 4, .columns = 8, .rows = 4}, 1, 2, 0.5));
   Mesh piston = layer(4, 4);
   piston.sides.left = MovingWall{.place = constant(0), .velocity = constant(0)};
   refused({"left side", "straight wall"}, piston);

@@ -16,7 +16,7 @@ using namespace free_lagrangian;
 using namespace variable_mass;
 
 Mesh box() {
-  return layer_mesh({.begin = 0, .end = 1, .columns = 8, .rows = 8});
+  return layer_mesh({.end = 1, .columns = 8, .rows = 8});
 }
 
 /// A wave of this height that a wall at either end sets up.
@@ -55,7 +55,7 @@ TEST_CASE("bad input of variable masses is rejected by name", "[robustness]") {
     Flow flow(mesh);
   });
   refusals.refused({"goes back in x"},
-                   [] { Flow flow(layer_mesh({.begin = 0, .end = 1, .columns = 8, .rows = 8, .right_wall = false})); });
+                   [] { Flow flow(layer_mesh({.end = 1, .columns = 8, .rows = 8, .right_wall = false})); });
   refusals.refused({"\"eulerian\"", "fixed_x"}, [] { (void)control_named("eulerian"); });
   refusals.refused({"elevation at x", "nan"},
                    [] { Flow flow(box(), {.elevation = [](double) { return not_a_number; }}); });
@@ -65,8 +65,7 @@ TEST_CASE("bad input of variable masses is rejected by name", "[robustness]") {
   });
   refusals.refused({"drift_feedback", "= 1.5", "[0, 1]"}, [] { Flow flow(box(), {}, {}, {}, 1.5); });
   refusals.refused({"singular configuration", "set stabilisation > 0"}, [] {
-    Flow flow(layer_mesh({.begin = 0, .end = 3, .columns = 24, .rows = 8, .staggered = false}), {}, {},
-              {.stabilisation = 0});
+    Flow flow(layer_mesh({.end = 3, .columns = 24, .rows = 8, .staggered = false}), {}, {}, {.stabilisation = 0});
   });
   Flow flow(box(), {}, {ControlKind::mapped, 4, 8});
   refusals.refused({"rate * tau", "= 1.2", "[0, 1]"}, [&] { flow.advance(0.3); });
@@ -124,7 +123,7 @@ TEST_CASE("variable masses that cannot continue stop with time, step and positio
                 }},
            {ControlKind::centroid, 1, 0}, {.gravity = 0, .stabilisation = 0.1});
   holds_of_breakdown(check, "jet", run_until_break(jet, 20, [](Flow& f) { f.advance(0.02); }), "is inverted", -20, 20);
-  Flow high(layer_mesh({.begin = 0, .end = 1, .columns = 16, .rows = 8}), wave(0.45), {ControlKind::mapped, 1, 1});
+  Flow high(layer_mesh({.end = 1, .columns = 16, .rows = 8}), wave(0.45), {ControlKind::mapped, 1, 1});
   holds_of_breakdown(check, "high-wave", run_until_break(high, 20, [](Flow& f) { f.advance(0.01); }), "", 0, 1);
 }
 

@@ -145,7 +145,6 @@ PlanReflection plan_reflection(const ObliqueWave& wave, const ReflectionWindow& 
   const Frame frame = frame_of(wave, window);
   return {.water = {.begin = frame.begin,
                     .end = frame.end,
-                    .south = 0,
                     .north = frame.north,
                     .columns = frame.columns,
                     .rows = frame.rows,
@@ -165,7 +164,6 @@ LayeredReflection layered_reflection(const ObliqueWave& wave, const ReflectionWi
   const Frame frame = frame_of(wave, window);
   return {.water = {.begin = frame.begin,
                     .end = frame.end,
-                    .south = 0,
                     .north = frame.north,
                     .depth = 1,
                     .columns = frame.columns,

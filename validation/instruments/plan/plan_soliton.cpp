@@ -84,7 +84,6 @@ dispersive_shallow_water_2d::Flow plan_soliton_flow(const PlanSolitonRun& run) {
   const SerreSolitary wave(run.amplitude);
   auto lattice = dispersive_shallow_water_2d::rectangular_lattice({.begin = tank.begin,
                                                                    .end = tank.end,
-                                                                   .south = 0,
                                                                    .north = run.spacing * static_cast<double>(run.rows),
                                                                    .columns = tank.columns,
                                                                    .rows = run.rows});
@@ -105,7 +104,6 @@ lagrangian_mesh_3d::Flow layered_soliton_flow(const PlanSolitonRun& run, std::si
   const SerreSolitary wave(run.amplitude);
   auto mesh = lagrangian_mesh_3d::layer_mesh({.begin = tank.begin,
                                               .end = tank.end,
-                                              .south = 0,
                                               .north = run.spacing * static_cast<double>(run.rows),
                                               .columns = tank.columns,
                                               .rows = run.rows,

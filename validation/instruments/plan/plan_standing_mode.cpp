@@ -40,13 +40,8 @@ PlanMode::PlanMode(const PlanTank& tank, std::size_t half_waves_x, std::size_t h
       ky_(std::numbers::pi * static_cast<double>(half_waves_y) / tank.width) {}
 
 Lattice PlanMode::lattice() const {
-  return dispersive_shallow_water_2d::rectangular_lattice({.begin = 0,
-                                                           .end = tank_.length,
-                                                           .south = 0,
-                                                           .north = tank_.width,
-                                                           .columns = tank_.columns,
-                                                           .rows = tank_.rows,
-                                                           .depth = tank_.depth});
+  return dispersive_shallow_water_2d::rectangular_lattice(
+      {.end = tank_.length, .north = tank_.width, .columns = tank_.columns, .rows = tank_.rows, .depth = tank_.depth});
 }
 
 double PlanMode::amplitude(const Lattice& lattice, std::span<const double> values) const {

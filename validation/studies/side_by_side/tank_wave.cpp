@@ -82,8 +82,7 @@ Racer start_particles(const TankWave& wave, long cells) {
   constexpr double side = 6;  // particles to a cell's
   const auto across = static_cast<std::size_t>(std::lround(wave.length * static_cast<double>(cells)));
   const auto flow = std::make_shared<Flow>(
-      gauss_particles::layer({.begin = 0,
-                              .end = wave.length,
+      gauss_particles::layer({.end = wave.length,
                               .columns = across * static_cast<std::size_t>(side),
                               .rows = static_cast<std::size_t>(cells) * static_cast<std::size_t>(side),
                               .surface = wave.water.elevation,
