@@ -61,6 +61,15 @@ Period period_of(std::span<const double> samples, double interval) {
   return {first->place, first->height};
 }
 
+double frequency_of(std::span<const double> amplitudes, double tau) {
+  double squares = 0, products = 0;
+  for (std::size_t n = 1; n + 1 < amplitudes.size(); ++n) {
+    squares += amplitudes[n] * amplitudes[n];
+    products += amplitudes[n] * (2 * amplitudes[n] - amplitudes[n + 1] - amplitudes[n - 1]);
+  }
+  return std::sqrt(products / squares) / tau;
+}
+
 double mean(std::span<const double> values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }

@@ -27,6 +27,10 @@ struct Period {
 /// reaches nine tenths of the highest. Lags go up to half of the signal; what overlaps is correlated.
 Period period_of(std::span<const double> samples, double interval);
 
+/// Of the amplitudes after steps of tau, a_{n+1} + a_{n-1} = (2 - omega^2 tau^2) a_n, by least squares: of a symmetric
+/// scheme the frequency free of its time step.
+double frequency_of(std::span<const double> amplitudes, double tau);
+
 double mean(std::span<const double> values);
 /// Distances between neighbouring crests.
 std::vector<double> distances(std::span<const CurveCrest> crests);

@@ -50,12 +50,6 @@ std::vector<double> velocities(const Mesh& mesh, const VelocityAt& at) {
   return u;
 }
 
-double sum(std::span<const double> values) {
-  CompensatedSum all;
-  for (const double value : values) all.add(value);
-  return all.value();
-}
-
 /// Water up to the right wall, with a solitary wave's height and pace.
 Flow hump(mechanics::Stepping stepping) {
   const auto elevation = [](double x) { return 0.5 / std::pow(std::cosh(0.6 * (x + 4)), 2); };
@@ -115,7 +109,7 @@ TEST_CASE("a rezoned mesh conserves water and records its energy loss", "[conser
               "A hump of water, a/h = 0.5, runs against a wall; 40 x 8 cells, conservative steps. And still water.",
               source);
   Flow flow = hump(mechanics::Stepping::conservative);
-  const double water = sum(flow.model().first_volumes());
+  const double water = compensated_sum(flow.model().first_volumes());
   const double begin = flow.energy();
   Worst spilt, drift;
   march(flow, end, tau, [&] {

@@ -49,12 +49,6 @@ Lattice box() {
   return rectangular_lattice({.end = size, .north = size, .columns = cells, .rows = cells});
 }
 
-double sum(std::span<const double> values) {
-  CompensatedSum all;
-  for (const double value : values) all.add(value);
-  return all.value();
-}
-
 Point momentum(std::span<const double> masses, const std::function<Point(std::size_t)>& velocity) {
   CompensatedSum x, y;
   for (std::size_t k = 0; k < masses.size(); ++k) {
@@ -124,10 +118,10 @@ TEST_CASE("a remap of the 2DH model conserves water and momentum and keeps every
              {depth.value() > 0 ? 1.0 : 0.0},
              Qualitative{"above the bottom", "a column sinks by a part of its depth in a pass"});
   check.that("told", "The water redistributed by the limiter of the remap is more than zero and at most 5 % of all.",
-             "that water over all", {now.displaced / sum(model.first_volumes())},
+             "that water over all", {now.displaced / compensated_sum(model.first_volumes())},
              Bound{0.025 - 1e-6, "some, less than a twentieth", 0.025});
   check.from(source).that("water", "The volume of the water is conserved to round-off.", "change of the volume [m^3]",
-                          {sum(next.first_volumes()) - sum(model.first_volumes())}, rounded);
+                          {compensated_sum(next.first_volumes()) - compensated_sum(model.first_volumes())}, rounded);
   const Point before = momentum(model.node_masses(), [&](std::size_t k) { return Point{u[k], u[n + k]}; });
   const Point after = momentum(next.node_masses(), [&](std::size_t k) {
     return Point{now.velocity[k].u, now.velocity[k].v};
@@ -227,7 +221,7 @@ TEST_CASE("a mesh that follows the shore withdraws thin films and retains its wi
   const Remapped after = remap(thin, state.q, state.u, drawn.x, drawn.y);
   const Model next(after.lattice, {.gravity = validation::ConicalIsland::gravity});
   check.from(source).that("water", "The volume of the film is conserved to round-off.", "change of the volume over it",
-                          {sum(next.first_volumes()) / sum(thin.first_volumes()) - 1},
+                          {compensated_sum(next.first_volumes()) / compensated_sum(thin.first_volumes()) - 1},
                           Roundoff{static_cast<double>(lake.shape.cells()), 1,
                                    "every cell's volume rounds its own differences of positions of the basin's size"});
   std::vector<double> moved_down = after.lattice.x;
@@ -286,12 +280,12 @@ TEST_CASE("a wave that breaks on an island leaves its mesh valid", "[conservatio
               "validation/instruments/plan/plan_remap.hpp");
   const validation::ConicalIsland island({.height = 0.181, .spacing = 0.7});
   RezonedFlow flow = island.rezoned_flow();
-  const double water = sum(flow.flow().model().first_volumes());
+  const double water = compensated_sum(flow.flow().model().first_volumes());
   Worst spilt;
   bool whole = true;
   try {
     march(flow, island.passage() + 6, island.step(),
-          [&] { spilt.add(sum(flow.flow().model().first_volumes()) / water - 1, flow.time()); });
+          [&] { spilt.add(compensated_sum(flow.flow().model().first_volumes()) / water - 1, flow.time()); });
   } catch (const Divergence&) {
     whole = false;
   }
@@ -337,11 +331,11 @@ TEST_CASE("a rezoned flow around an island conserves water and records the energ
   const validation::ConicalIsland island(
       {.height = 0.045, .spacing = 1, .scheme = {.stepping = mechanics::Stepping::conservative}, .drag = {}});
   RezonedFlow flow = island.rezoned_flow();
-  const double water = sum(flow.flow().model().first_volumes());
+  const double water = compensated_sum(flow.flow().model().first_volumes());
   const double begin = flow.energy();
   Worst spilt, drift;
   march(flow, island.passage(), island.step(), [&] {
-    spilt.add(sum(flow.flow().model().first_volumes()) / water - 1, flow.time());
+    spilt.add(compensated_sum(flow.flow().model().first_volumes()) / water - 1, flow.time());
     drift.add((flow.energy() + flow.lost()) / begin - 1, flow.time());
   });
   const auto cells_of_all = static_cast<double>(flow.flow().shape().cells());

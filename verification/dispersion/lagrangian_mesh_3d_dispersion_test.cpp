@@ -11,6 +11,7 @@
 #include "seiche/exact/lattice_dispersion.hpp"
 #include "seiche/mechanics/one_step.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/oscillation.hpp"
 #include "verification/check.hpp"
 #include "verification/conservation/lagrangian_mesh_3d_problems.hpp"
 
@@ -38,8 +39,7 @@ struct Mode {
   std::size_t m, n;
 };
 
-/// Frequency of the linearised model from a run of the one-step scheme. Its amplitudes obey a_{n+1} + a_{n-1} = (2 -
-/// omega^2 tau^2) a_n, which gives omega by least squares.
+/// Frequency of the linearised model from a run of the one-step scheme.
 double measured_frequency(const Tank& tank, Mode mode, double tau, int steps) {
   const double amplitude = 1e-6 * std::sqrt(tank.gravity * tank.depth);
   const double kx = pi * static_cast<double>(mode.m) / tank.length;
@@ -65,12 +65,7 @@ double measured_frequency(const Tank& tank, Mode mode, double tau, int steps) {
     }
     amplitudes.push_back(sum);
   }
-  double squares = 0, products = 0;
-  for (std::size_t n = 1; n + 1 < amplitudes.size(); ++n) {
-    squares += amplitudes[n] * amplitudes[n];
-    products += amplitudes[n] * (2 * amplitudes[n] - amplitudes[n + 1] - amplitudes[n - 1]);
-  }
-  return std::sqrt(products / squares) / tau;
+  return validation::frequency_of(amplitudes, tau);
 }
 
 TEST_CASE("standing waves in a box of hexahedra have the frequencies of the closed form", "[dispersion]") {

@@ -12,6 +12,7 @@
 #include "seiche/models/dispersive_shallow_water_2d/model.hpp"
 #include "seiche/samples.hpp"
 #include "validation/instruments/each.hpp"
+#include "validation/instruments/oscillation.hpp"
 
 namespace seiche::validation {
 
@@ -94,13 +95,7 @@ double PlanMode::measured_frequency(double tau, int steps, double first_amplitud
     if (n > 0) stepper.step(state, tau);
     amplitudes.push_back(amplitude(model.lattice(), std::span(state.q).subspan(2 * model.nodes(), model.nodes())));
   }
-  double squares = 0;
-  double products = 0;
-  for (std::size_t n = 1; n + 1 < amplitudes.size(); ++n) {
-    squares += amplitudes[n] * amplitudes[n];
-    products += amplitudes[n] * (2 * amplitudes[n] - amplitudes[n + 1] - amplitudes[n - 1]);
-  }
-  return std::sqrt(products / squares) / tau;
+  return frequency_of(amplitudes, tau);
 }
 
 }  // namespace seiche::validation

@@ -50,8 +50,7 @@ class PlanMode {
   };
   [[nodiscard]] Eigenvalue eigenvalue() const;
 
-  /// Frequency in a run of the one-step scheme, free of its time step: amplitudes obey a_{n+1} + a_{n-1} = (2 - omega^2
-  /// tau^2) a_n, which gives omega by least squares.
+  /// Frequency in a run of the one-step scheme, by frequency_of().
   /// @param amplitude  of the first velocity [m/s]
   [[nodiscard]] double measured_frequency(double tau, int steps, double amplitude = 1e-6) const;
 
