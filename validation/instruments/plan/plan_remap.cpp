@@ -196,7 +196,8 @@ class Remap {
     }
     for (std::size_t k = 0; k < n_; ++k) {
       if (on_shore(k)) continue;
-      now_.lattice.z[k] = std::max(now_.lattice.z[k], bed_[k] + thinnest * water[k] / area[k]);
+      const double lowest = bed_[k] + thinnest * water[k] / area[k];
+      if (now_.lattice.z[k] < lowest) now_.lattice.z[k] = lowest;
     }
     std::vector<char> sank;
     for (int pass = 0; pass < passes || std::ranges::count(sank, 1) > 0; ++pass) {

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "seiche/mechanics/state.hpp"
+#include "seiche/samples.hpp"
 #include "validation/instruments/plan/plan_remap.hpp"
 
 namespace seiche::validation {
@@ -113,7 +114,8 @@ void ShoreFollowing::cut_tongues(Places& places) const {
   std::vector<double> shore(count);
   for (std::size_t i = 0; i < count; ++i) shore[i] = outwards(i, 0);
   const auto limit = [&](std::size_t i, std::size_t beside) {
-    shore[i] = std::max(shore[i], shore[beside] - settings_.shore_slope * distance(first_[i], first_[beside]));
+    const double least = shore[beside] - settings_.shore_slope * distance(first_[i], first_[beside]);
+    if (shore[i] < least) shore[i] = least;
   };
   for (std::size_t i = 1; i < count; ++i) limit(i, i - 1);
   for (std::size_t i = count - 1; i-- > 0;) limit(i, i + 1);
@@ -184,12 +186,12 @@ double RezonedFlow::rate_of_strain() const {
   const Input q = flow_->state().q;
   const Input u = flow_->state().u;
   const std::size_t n = flow_->shape().nodes();
-  double fastest = 0;
+  Largest fastest;
   flow_->shape().each_edge([&](std::size_t from, std::size_t to, std::size_t, std::size_t) {
     const double change = std::hypot(u[to] - u[from], u[n + to] - u[n + from]);
-    fastest = std::max(fastest, change / distance({q[from], q[n + from]}, {q[to], q[n + to]}));
+    fastest.add(change / distance({q[from], q[n + from]}, {q[to], q[n + to]}));
   });
-  return fastest;
+  return fastest.value();
 }
 
 /// Rezones where nodes have drifted too far, or anyway.
