@@ -180,7 +180,7 @@ class ColumnFront(Scoring):
         front = self.front()
         _, said = self.judged(front, status=0)
         self.assertIn("14 of 15 published points count, 1 later than the front is known", said)
-        verdicts, said = self.judged(front, "--set", "scored_to=3.9", status=1)
+        verdicts, said = self.judged(front, "--set", "judged_to=3.9", status=1)   # its name in version 0.1
         self.assertIn("4 of 15 published points count, 11 lie beyond X/a = 3.9", said)
         self.assertEqual(verdicts["rate"], "inconclusive")
 

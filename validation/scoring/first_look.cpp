@@ -147,18 +147,18 @@ std::string whose_line(const JudgedClaim& claim, bool all, bool exact, const std
   return "your resolution's: the error is within the numerical error that your sizes show";
 }
 
-/// That records of a measurement are coarser than the measured ones, so that crests between their points are not seen.
+/// Records with fewer points than the measured ones: what lies between points cannot be scored.
 std::string coarse_line(const std::vector<WantedTable>& wanted, const Submitted& submitted) {
-  constexpr double enough = 0.75;
+  constexpr double enough = 0.75;  // between all measured points and every other one
   for (const WantedTable& table : wanted) {
     const auto found = submitted.find(table.name);
-    if (found == submitted.end() || !table.abscissa || table.reference_role == evidence::Role::exact) continue;
+    if (found == submitted.end() || !table.abscissa || table.reference_role != evidence::Role::data) continue;
     for (const SubmittedGroup& group : found->second) {
       const std::vector<double> x = table.points(group.value);
       const auto within = [&](double at) { return at >= x.front() && at <= x.back(); };
       const long given = std::ranges::count_if(group.abscissa, within);
       if (static_cast<double>(given) >= enough * static_cast<double>(x.size())) continue;
-      return fmt::format("submit {} at the points of the template: {} points where {} were measured miss crests",
+      return fmt::format("submit {} at the points of the template: a record has {} points where {} were measured",
                          table.name, given, x.size());
     }
   }
@@ -178,8 +178,8 @@ std::string next_line(const evidence::Record& record, const JudgedClaim& claim, 
       return fmt::format("submit the rest: {} ({})", one.claim.id, one.judgement.resolution);
     }
   }
-  if (j.verdict != Verdict::pass && !coarse.empty()) return coarse;
   if (!findings.empty()) return fmt::format("check the file: {} {}", findings.front().where, findings.front().words);
+  if (j.verdict != Verdict::pass && !coarse.empty()) return coarse;
   if (is_comparison(claim) && !j.uncertainty && j.verdict == Verdict::inconclusive) {
     return fmt::format(
         "state an uncertainty small enough to decide (--uncertainty, or --sizes with three or more cell sizes), for "

@@ -115,16 +115,29 @@ TEST_CASE("the summary of a score states position, kind and likely cause of an e
   says("The summary states that refinement does not remove the model's error.",
        answer(high, "next step", evidence::Role::exact, ladder_of_errors(0.001, 0.2)),
        "refinement will not remove this error");
-  const std::vector<WantedTable> tables = wanted(evidence::Role::data);
-  Submitted coarse{{"wave", {{.value = 0, .values = {{"eta", {}}}}}}};
-  for (std::size_t k = 0; k < places().size(); k += 3) {
-    coarse["wave"].front().abscissa.push_back(places()[k]);
-    coarse["wave"].front().values["eta"].push_back(1.5 * std::sin(places()[k]));
-  }
-  evidence::Record record;
-  score(tables, coarse, {}, record);
-  says("The next step for records coarser than the measured ones is finer records.",
-       first_look(tables, coarse, record, {}, {}).back().second, "submit wave at the points of the template");
+  // Every `step`-th of the points; the last answer of the summary is the next step.
+  const auto next_of = [](std::size_t step, evidence::Role role, const std::vector<Finding>& findings) {
+    const std::vector<WantedTable> tables = wanted(role);
+    SubmittedGroup group{.value = 0};
+    for (std::size_t k = 0; k < places().size(); k += step) {
+      group.abscissa.push_back(places()[k]);
+      group.values["eta"].push_back(1.5 * std::sin(places()[k]));
+    }
+    const Submitted all{{"wave", {group}}};
+    evidence::Record record;
+    score(tables, all, {}, record);
+    return first_look(tables, all, record, findings, {}).back().second;
+  };
+  const std::string finer =
+      "submit wave at the points of the template: a record has 101 points where 201 were measured";
+  says("The next step for records with half the measured points is more points.", next_of(2, evidence::Role::data, {}),
+       finer);
+  says("The next step for records with all measured points is several cell sizes.",
+       next_of(1, evidence::Role::data, {}), "--sizes");
+  says("The next step for few points of an exact solution is several cell sizes.",
+       next_of(2, evidence::Role::exact, {}), "--sizes");
+  says("The next step for few points in another unit is the unit.",
+       next_of(2, evidence::Role::data, {{"eta", "is in cm", 0}}), "check the file: eta is in cm");
   evidence::Record measured;
   measured.check({"agreement", "The wave agrees with the measurement.", "height", "m", "this test"},
                  {.value = 0.5, .uncertainty = 0.01},

@@ -124,6 +124,11 @@ class Lattices(unittest.TestCase):
         self.assertGreater(z.shape[1], 100)
         self.assertTrue((numpy.abs(x[numpy.isfinite(z)]) <= 2 + 1e-6).all())
 
+    def test_axes_cut_a_plan_and_find_points_on_either_side_of_their_limits(self):
+        _, y, z = lattices.thinned(hill(10, 1000), {"y_min": 5.0, "y_max": 8.0}, cut=False)
+        self.assertTrue(numpy.isfinite(z).all())
+        self.assertTrue(5 - 0.03 < y.min() < 5 and 8 < y.max() < 8 + 0.03, (y.min(), y.max()))
+
     def test_cells_with_a_missing_corner_stay_open(self):
         series = hill(4, 3)
         x, y, z = (series[name].copy() for name in "xyz")

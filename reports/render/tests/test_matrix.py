@@ -5,13 +5,16 @@
 import csv
 import fnmatch
 import math
+import pathlib
+import re
 import tempfile
 import tomllib
 import unittest
 
-from made import HOSTILE, Page, claim, contest_row as row, contest_table as table, record, reported
+from made import (HOSTILE, Page, claim, contest_row as row, contest_table as table, figure, record, reported,
+                  write_arrays)
 
-from render import costs, experiments, matrix, pages, records
+from render import costs, experiments, league, matrix, pages, records
 
 
 def compared(name, measured, expected, limit, **changes):
@@ -146,6 +149,28 @@ class Matrix(unittest.TestCase):
             for text in ("boxes 2.5\u00a0%", "1 known deviation", "2 cases</a> compare your results", "seiche score CASE --data"):
                 self.assertIn(text, page)
             self.assertIn("wave_sph.seiche-claim-d", (out / "deviations.html").read_text(encoding="utf-8"))
+
+    def test_a_problem_shows_the_stored_scores_of_its_cases_and_its_own_films(self):
+        def filmed(name):
+            return record(name, group="dam_break", data=f"{name}.h5", figures=[figure("film", title=f"Film of {name}", drawing="film")])
+
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / "evidence").mkdir()
+            for name in ("collapse_gauss", "dam_break_sph"):
+                write_arrays(pathlib.Path(folder, "evidence", f"{name}.h5"), {"film": [[("a", "computed", "line", [0, 1], [0, 1])]]})
+            out = reported(folder, filmed("collapse_gauss"), filmed("dam_break_sph"))
+            page = (out / "problems/column-collapse.html").read_text(encoding="utf-8")
+        self.assertIn("Film of collapse_gauss", page)
+        self.assertNotIn("Film of dam_break_sph", page)
+        with open(league.STORED, encoding="utf-8", newline="") as file:
+            wanted = {(f"{row['solver']} {row['version']}", pages.percent(float(row["error"])), row["quantity"])
+                      for row in csv.DictReader(file)
+                      if row["case"] == "dam_break_sph" and not row["solver"].startswith("seiche")}
+        table = page.partition('id="solvers"')[2].partition("</table>")[0]
+        shown = {(by.partition(" (")[0], error.partition(" in ")[0], error.partition(" in ")[2]) for by, error in
+                 re.findall(r"<td>([^<]*)</td><td class=\"r\">([^<]*)</td><td", table)}
+        self.assertTrue(wanted)
+        self.assertEqual(shown, wanted)
 
 
 class Costs(unittest.TestCase):
