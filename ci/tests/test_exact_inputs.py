@@ -23,7 +23,7 @@ WATER = {"riemann": (0, "-2:2", []), "bore_reflection": (0, "3:8", []), "simple_
          "standing": (-1.5, "0:6", ["--set", "depth=1.5"]), "gerstner": (None, "0:6", [])}
 IN_PLAN = {"thacker_radial", "thacker_planar"}
 NO_VELOCITY = {"wavemaker", "wavemaker_start"}
-CURVES = {"overturning_wave", "pressure_forced_wave", "focused_group"}
+CURVES = {"overturning_wave", "pressure_forced_wave", "waves_in_tank"}
 PISTONS = {"solitary", "solitary_asymptotic", "wavemaker"}
 # Computations of seconds; that of slope_runup takes a minute and is printed as that of wall_load is.
 QUICKER = {"overturning_wave": ["--set", "markers=64,last_time=0.5"],

@@ -25,7 +25,7 @@ using namespace exact;
 long members_of(const ExactSolution& solution) {
   static const std::map<std::string, double> slow{{"overturning_wave", 0.1},
                                                   {"pressure_forced_wave", 3},
-                                                  {"focused_group", 1},
+                                                  {"waves_in_tank", 1},
                                                   {"released_column", 4},
                                                   {"wavemaker_start", 4},
                                                   {"solitary_runup", 2},
@@ -127,7 +127,7 @@ Outcome outcome(const ExactSolution& solution, const std::map<std::string, doubl
 /// The catalogue without the solutions that take longest, or these alone.
 void try_members(bool longest) {
   static const std::set<std::string> takes_long{"slope_runup",          "wall_runup",    "wall_load",
-                                                "pressure_forced_wave", "focused_group", "released_column",
+                                                "pressure_forced_wave", "waves_in_tank", "released_column",
                                                 "wavemaker_start",      "solitary_runup"};
   Check check(
       "exact_corners", "Exact solutions at the corners of their ranges",

@@ -1,5 +1,6 @@
 #include "seiche/exact/overturning/overturning_wave.hpp"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <tuple>
@@ -131,21 +132,31 @@ TEST_CASE("an overturning wave is even in its points and rejects parameters outs
   CHECK_THROWS_AS(unit.profile(-0.1), std::invalid_argument);
 }
 
-TEST_CASE("a low group of waves comes to the focus of linear theory", "[exact]") {
-  Check check("exact_focused_group", "Wave group that comes to a focus at a wall",
-              "Linear theory satisfies its own equations inside the water, by differences. Computed surfaces depart "
-              "from it by the square of the height, from H/h = 0.01 and 0.02 on.",
-              "Baldock, Swan & Taylor, Phil. Trans. R. Soc. Lond. A 354 (1996) 649; linear theory");
-  using exact::FocusedGroup;
-  const FocusedGroup group(
-      {.amplitude = 0.2, .wavelength = 20, .depth = 2, .gravity = 9.81, .focus = 3, .markers = 64, .last_time = 0.1});
+TEST_CASE("waves in a tank agree with linear theory while they are low", "[exact]") {
+  Check check(
+      "exact_waves_in_tank", "Waves of many lengths in a tank",
+      "Linear theory satisfies its own equations inside the water, by differences. Computed surfaces depart "
+      "from it by the square of the height, from H/h = 0.01 and 0.02 on. Amplitudes follow JONSWAP's spectrum as a "
+      "function of the period, in bands of the dispersion relation by differences.",
+      "Baldock, Swan & Taylor, Phil. Trans. R. Soc. Lond. A 354 (1996) 649; Hasselmann et al. (1973); linear "
+      "theory");
+  using exact::WavesInTank;
+  const WavesInTank group({.amplitude = 0.2,
+                           .wavelength = 20,
+                           .depth = 2,
+                           .gravity = 9.81,
+                           .focus = 3,
+                           .peak = 4,
+                           .seed = 7,
+                           .markers = 64,
+                           .last_time = 0.1});
   Worst worst;
   for (const auto& [x, y, t] : {std::tuple{0.7, -0.3, 0.0}, std::tuple{4.1, -1.6, 1.3}, std::tuple{8.9, 0.1, 4.0}}) {
     const auto here = group.linear(x, y, t);
-    const auto slope = [&](double dx, double dy, double dt, double FocusedGroup::Linear::*what) {
+    const auto slope = [&](double dx, double dy, double dt, double WavesInTank::Linear::*what) {
       return difference([&](double s) { return group.linear(x + s * dx, y + s * dy, t + s * dt).*what; }, 1e-2);
     };
-    using L = FocusedGroup::Linear;
+    using L = WavesInTank::Linear;
     const double rate = slope(0, 0, 1, &L::potential);
     worst.add(slope(1, 0, 0, &L::potential) - here.velocity.u);
     worst.add(slope(0, 1, 0, &L::potential) - here.velocity.v);
@@ -157,11 +168,51 @@ TEST_CASE("a low group of waves comes to the focus of linear theory", "[exact]")
     worst.add(sinks - still.velocity.v);
     worst.add(difference([&](double s) { return group.linear(x, 0, t + s).potential; }, 1e-2) + 9.81 * still.elevation);
   }
-  check.that("linear", "The linear group satisfies Laplace's, Bernoulli's and the surface's linear equations.",
+  check.that("linear", "The linear waves satisfy Laplace's, Bernoulli's and the surface's linear equations.",
              "largest departure [m/s, m^2/s^2]", {worst.value()},
              Bound{1e-7, "fourth-order differences err by (w s)^4/480 of w phi: w = 4.7, s = 0.01, phi up to 2"});
+  const auto modes = group.modes();
+  const auto period = [](double n) {
+    const double k = n * std::numbers::pi / 10;
+    return 2 * std::numbers::pi / std::sqrt(9.81 * k * std::tanh(2 * k));
+  };
+  // S(T) |d(1/T)/dn| over that of the peak.
+  const auto energy = [&](double n) {
+    const double ratio = period(4) / period(n);
+    const double s = ratio <= 1 ? 0.07 : 0.09;
+    return std::pow(ratio, -5) * std::exp(1.25 - 1.25 / (ratio * ratio * ratio * ratio)) *
+           std::pow(3.3, std::exp(-(ratio - 1) * (ratio - 1) / (2 * s * s)) - 1) *
+           difference([&](double m) { return 1 / period(n + m); }, 1e-2) /
+           difference([&](double m) { return 1 / period(4 + m); }, 1e-2);
+  };
+  Worst spectrum;
+  double sum = 0;
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    spectrum.add(std::pow(modes[i].amplitude / modes[2].amplitude, 2) / energy(2 + static_cast<double>(i)) - 1);
+    sum += modes[i].amplitude;
+  }
+  check.that("spectrum", "The energy of each mode follows JONSWAP's spectrum with its peak at mode 4.",
+             "largest departure of a^2/a_peak^2, relative", {spectrum.value()},
+             Bound{1e-8, "fourth-order differences of 1/T: (0.01/n)^4/30, and rounding over 0.01"});
+  CHECK(std::abs(sum - 0.2) < 1e-15);
+  // Two modes of 0.05, whose mean squares over the tank and time are a quarter of their squares.
+  const WavesInTank two({.first = 2, .last = 3, .markers = 64, .last_time = 0.01});
+  CHECK(std::abs(two.significant_height() - 4 * std::sqrt(2 * 0.05 * 0.05 / 4)) < 1e-15);
+  // Phases at the focus, of many seas: uniform over the circle, so that the resultant of n is below 4 sqrt(n).
+  std::array<double, 2> resultant{};
+  constexpr int seas = 400;
+  for (int seed = 1; seed <= seas; ++seed) {
+    const auto mode = WavesInTank::modes_of({.focus = 2, .seed = seed})[1];
+    resultant[0] += std::cos(mode.phase + 2 * mode.frequency);
+    resultant[1] += std::sin(mode.phase + 2 * mode.frequency);
+  }
+  CHECK(std::hypot(resultant[0], resultant[1]) < 4 * std::sqrt(seas));
+  for (const auto& mode : WavesInTank::modes_of({.focus = 2})) {
+    CHECK(std::abs(mode.phase + 2 * mode.frequency) < 1e-14);
+    CHECK(mode.amplitude == 0.1 / 6);
+  }
   const auto excess = [](double amplitude) {
-    const FocusedGroup low({.amplitude = amplitude, .gravity = 1, .focus = 9, .markers = 128});
+    const WavesInTank low({.amplitude = amplitude, .gravity = 1, .focus = 9, .markers = 128});
     return low.extremes(9).highest / amplitude - 1;
   };
   check.that("limit", "The crest at the focus departs from linear theory in proportion to the height.",

@@ -18,7 +18,7 @@ ExactSolution riemann_entry(), bore_reflection_entry(), simple_wave_entry(), ste
     frank_dispersion_entry(), lagrangian_mesh_dispersion_entry(), plan_dispersion_entry(),
     hexahedral_dispersion_entry(), serre_solitary_entry(), serre_cnoidal_entry(), solitary_asymptotic_entry(),
     solitary_entry(), stokes_entry(), standing_entry(), dispersive_standing_entry(), gerstner_entry(),
-    overturning_wave_entry(), pressure_forced_wave_entry(), focused_group_entry(), released_column_entry(),
+    overturning_wave_entry(), pressure_forced_wave_entry(), waves_in_tank_entry(), released_column_entry(),
     soliton_fission_entry(), solitary_runup_entry(), hall_watts_entry(), wall_load_entry(), wall_runup_entry(),
     slope_runup_entry(), mach_reflection_entry(), wavemaker_entry(), wavemaker_start_entry(), affine_drop_entry();
 
@@ -61,7 +61,7 @@ const std::vector<ExactSolution>& catalogue() {
                    frank_dispersion_entry, lagrangian_mesh_dispersion_entry, plan_dispersion_entry,
                    hexahedral_dispersion_entry, serre_solitary_entry, serre_cnoidal_entry, solitary_asymptotic_entry,
                    solitary_entry, stokes_entry, standing_entry, dispersive_standing_entry, gerstner_entry,
-                   overturning_wave_entry, pressure_forced_wave_entry, focused_group_entry, released_column_entry,
+                   overturning_wave_entry, pressure_forced_wave_entry, waves_in_tank_entry, released_column_entry,
                    soliton_fission_entry, solitary_runup_entry, hall_watts_entry, wall_load_entry, wall_runup_entry,
                    slope_runup_entry, mach_reflection_entry, wavemaker_entry, wavemaker_start_entry, affine_drop_entry);
   return solutions;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <random>
 #include <utility>
 
 #include <gsl/gsl_sf_bessel.h>
@@ -71,36 +72,16 @@ double surface_pressure(double strength, double x, double t) {
   return t <= switched_off ? -strength * std::sin(t) * std::sin(x - t) : 0;
 }
 
-const FocusedGroup::Parameters& checked(const FocusedGroup::Parameters& p) {
+const WavesInTank::Parameters& checked(const WavesInTank::Parameters& p) {
   require_computable(p);
   require_not_negative("focus", p.focus);
   require_within("first", p.first, 1, p.last);
   require_within("last", p.last, p.first, static_cast<double>(p.markers) / 8);
+  if (p.peak != 0) require_within("peak", p.peak, p.first, p.last);
+  require_not_negative("seed", p.seed);
   require_positive("amplitude", p.amplitude);
   require_within("amplitude", p.amplitude, 0, std::min(p.wavelength / (2 * std::numbers::pi * p.last), 0.99 * p.depth));
   return p;
-}
-
-/// In scaled units.
-FocusedGroup::Linear modes_at(int first, int last, double amplitude, double depth, double x, double y, double since) {
-  FocusedGroup::Linear sum;
-  double rate = 0;  // of the potential
-  for (int n = first; n <= last; ++n) {
-    const double a = amplitude / (last - first + 1);
-    const double w = std::sqrt(n * std::tanh(n * depth));
-    // cosh n(y + h)/cosh nh and sinh n(y + h)/cosh nh without overflow in deep water.
-    const double up = std::exp(n * y) / (1 + std::exp(-2 * n * depth));
-    const double down = std::exp(-n * (y + 2 * depth)) / (1 + std::exp(-2 * n * depth));
-    const double potential = -a / w * std::sin(w * since);
-    sum.elevation += a * std::cos(n * x) * std::cos(w * since);
-    sum.potential += potential * (up + down) * std::cos(n * x);
-    rate -= a * std::cos(w * since) * (up + down) * std::cos(n * x);
-    sum.velocity.u -= n * potential * (up + down) * std::sin(n * x);
-    sum.velocity.v += n * potential * (up - down) * std::cos(n * x);
-    sum.discharge -= potential * (up - down) * std::sin(n * x);
-  }
-  sum.pressure = -rate - 0.5 * (sum.velocity.u * sum.velocity.u + sum.velocity.v * sum.velocity.v) - y;
-  return sum;
 }
 
 }  // namespace
@@ -176,39 +157,76 @@ SelfTest PressureForcedWave::self_test() const {
   return balances(scale(), parameters_.tolerance, start);
 }
 
-FocusedGroup::FocusedGroup(const Parameters& parameters)
+std::vector<WavesInTank::Mode> WavesInTank::modes_of(const Parameters& p) {
+  const double k = 2 * std::numbers::pi / p.wavelength;
+  const auto frequency = [&](int n) { return std::sqrt(p.gravity * n * k * std::tanh(n * k * p.depth)); };
+  std::mt19937 random(static_cast<std::mt19937::result_type>(p.seed));
+  std::vector<Mode> modes;
+  double sum = 0;
+  for (int n = p.first; n <= p.last; ++n) {
+    const double w = frequency(n);
+    double a = 1;
+    if (p.peak > 0) {
+      const double ratio = w / frequency(p.peak);
+      const double width = ratio <= 1 ? 0.07 : 0.09;
+      const double spectrum = std::pow(ratio, -5) * std::exp(-1.25 * std::pow(ratio, -4)) *
+                              std::pow(3.3, std::exp(-0.5 * std::pow((ratio - 1) / width, 2)));
+      const double kh = n * k * p.depth;
+      a = std::sqrt(spectrum * w / n * (1 + (kh < 300 ? 2 * kh / std::sinh(2 * kh) : 0)));  // c_g = (w/2nk)(...)
+    }
+    const double e = p.seed != 0 ? 2 * std::numbers::pi * static_cast<double>(random()) / 0x1p32 : 0;
+    modes.push_back({n * k, a, w, e - w * p.focus});
+    sum += a;
+  }
+  for (auto& mode : modes) mode.amplitude *= p.amplitude / sum;
+  return modes;
+}
+
+WavesInTank::WavesInTank(const Parameters& parameters)
     : MovingSurface(checked(parameters).wavelength, parameters.gravity, parameters.amplitude,
-                    coarser<FocusedGroup>(parameters)),
-      parameters_(parameters) {
+                    coarser<WavesInTank>(parameters)),
+      parameters_(parameters),
+      modes_(modes_of(parameters_)) {
   const auto& p = parameters_;
-  const double depth = p.depth / length();
-  const auto start = [&](double x, double y) {
-    return modes_at(p.first, p.last, p.amplitude / length(), depth, x, y, -p.focus / time_unit());
-  };
-  const double longest = 2 * std::numbers::pi / std::sqrt(p.first * std::tanh(p.first * depth)) * time_unit();
+  const double longest = 2 * std::numbers::pi / modes_.front().frequency;
   const double last_time = p.last_time > 0 ? p.last_time : p.focus > 0 ? p.focus : longest;
+  const auto elevation = [&](double x) { return linear(x * length(), 0, 0).elevation; };
   ow::State state = ow::from_functions(
-      p.markers, [&](double x) { return start(x, 0).elevation; },
-      [&](double x) { return start(x, start(x, 0).elevation).potential; });
-  compute(ow::Evolution(std::move(state), depth, p.tolerance), last_time,
+      p.markers, [&](double x) { return elevation(x) / length(); },
+      [&](double x) { return linear(x * length(), elevation(x), 0).potential / (length() * velocity()); });
+  compute(ow::Evolution(std::move(state), p.depth / length(), p.tolerance), last_time,
           [](double tangent) { return 0.25 * tangent; });
 }
 
-FocusedGroup::Linear FocusedGroup::linear(double x, double y, double t) const {
-  const auto& p = parameters_;
-  const auto scaled = modes_at(p.first, p.last, p.amplitude / length(), p.depth / length(), x / length(), y / length(),
-                               (t - p.focus) / time_unit());
-  return {scaled.elevation * length(),
-          scaled.potential * length() * velocity(),
-          {scaled.velocity.u * velocity(), scaled.velocity.v * velocity()},
-          scaled.pressure * velocity() * velocity(),
-          scaled.discharge * length() * velocity()};
+WavesInTank::Linear WavesInTank::linear(double x, double y, double t) const {
+  const double g = parameters_.gravity;
+  Linear sum;
+  double rate = 0;  // of the potential
+  for (const auto& [k, a, w, phase] : modes_) {
+    // cosh k(y + h)/cosh kh and sinh k(y + h)/cosh kh without overflow in deep water.
+    const double up = std::exp(k * y) / (1 + std::exp(-2 * k * parameters_.depth));
+    const double down = std::exp(-k * (y + 2 * parameters_.depth)) / (1 + std::exp(-2 * k * parameters_.depth));
+    const double potential = -a * g / w * std::sin(w * t + phase);
+    sum.elevation += a * std::cos(k * x) * std::cos(w * t + phase);
+    sum.potential += potential * (up + down) * std::cos(k * x);
+    rate -= a * g * std::cos(w * t + phase) * (up + down) * std::cos(k * x);
+    sum.velocity.u -= k * potential * (up + down) * std::sin(k * x);
+    sum.velocity.v += k * potential * (up - down) * std::cos(k * x);
+    sum.discharge -= potential * (up - down) * std::sin(k * x);
+  }
+  sum.pressure = -rate - 0.5 * (sum.velocity.u * sum.velocity.u + sum.velocity.v * sum.velocity.v) - g * y;
+  return sum;
 }
 
-SelfTest FocusedGroup::self_test() const {
+double WavesInTank::significant_height() const {
+  double squares = 0;
+  for (const Mode& mode : modes_) squares += mode.amplitude * mode.amplitude;
+  return 2 * std::sqrt(squares);
+}
+
+SelfTest WavesInTank::self_test() const {
   // The energy is that of the modes: the root of the sum of their squares is its amplitude.
-  const double energetic = parameters_.amplitude / std::sqrt(parameters_.last - parameters_.first + 1.0);
-  SelfTest identities = balances(energetic, parameters_.tolerance, std::nullopt);
+  SelfTest identities = balances(significant_height() / 2, parameters_.tolerance, std::nullopt);
   const Profile now = profile(well_resolved_until());
   Worst apart;
   for (std::size_t j = 1; j < now.y.size(); ++j) apart.add(now.y[j] - now.y[now.y.size() - j]);
@@ -317,28 +335,35 @@ ExactSolution pressure_forced_wave_entry() {
               "depth", "gravity", "pressure", "velocity_factor", "markers", "last_time"));
 }
 
-ExactSolution focused_group_entry() {
-  return surface_entry<FocusedGroup>(
-      "focused_group", "A group of waves comes to a focus at the wall of a tank: fully nonlinear potential flow",
+ExactSolution waves_in_tank_entry() {
+  return surface_entry<WavesInTank>(
+      "waves_in_tank",
+      "A wave group comes to a focus at the wall of a tank, or an irregular sea: fully nonlinear potential flow",
       "Baldock, Swan & Taylor, A laboratory study of nonlinear surface waves on water, Phil. Trans. R. Soc. Lond. A "
-      "354 (1996) 649; Longuet-Higgins & Cokelet, The deformation of steep surface waves on water I, Proc. R. Soc. "
-      "Lond. A 350 (1976) 1",
+      "354 (1996) 649; Hasselmann et al., Dtsch. Hydrogr. Z. A 8(12) (1973); Longuet-Higgins & Cokelet, The "
+      "deformation "
+      "of steep surface waves on water I, Proc. R. Soc. Lond. A 350 (1976) 1",
       "dz/dt = conj f, dphi/dt = |f|^2/2 - g y, z_s f = phi_s + i psi_s with psi_s from Cauchy's integral; linear "
-      "theory of the modes at t = 0: eta = sum a cos nkx cos w_n(t - focus), w_n^2 = g n k tanh nkh, between walls at "
-      "x = 0 and half a wavelength",
-      {{"amplitude", "m", 0.1, 1e-9, 1e6, "of the crest at the focus by linear theory"},
+      "theory of the modes at t = 0: eta = sum a_n cos nkx cos(w_n(t - focus) + e_n), w_n^2 = g n k tanh nkh, between "
+      "walls at x = 0 and half a wavelength",
+      {{"amplitude", "m", 0.1, 1e-9, 1e6,
+        "sum of the amplitudes of the modes: the crest of the focus by linear theory"},
        {"wavelength", "m", 12, 1e-9, 1e9, "twice the length of the tank"},
        depth_parameter(1, infinite),
        gravity_parameter(),
        {"first", "1", 2, 1, 100, "mode of the longest waves: so many in a wavelength"},
        {"last", "1", 7, 1, 100, "mode of the shortest waves"},
        {"focus", "s", 0, 0, 1e9, "when the crests meet at the wall by linear theory; 0: they start at rest there"},
+       {"peak", "1", 0, 0, 100, "mode at the peak of JONSWAP's spectrum; 0: equal amplitudes"},
+       {"seed", "1", 0, 0, 1e6, "of random phases, an irregular sea; 0: the crests meet at the focus"},
        {"markers", "1", 256, 64, 4096, "markers per wavelength, even"},
        {"last_time", "s", 0, 0, 1e9, "end of the computation; 0: the focus, or one period of the longest waves"}},
       {{"energy", "m^4/s^2", "kinetic and potential, per wavelength at the start, density 1",
-        [](const FocusedGroup& w) { return w.integrals(0).kinetic_energy + w.integrals(0).potential_energy; }}},
-      made_by([](auto... given) { return FocusedGroup::Parameters{given...}; }, "amplitude", "wavelength", "depth",
-              "gravity", "first", "last", "focus", "markers", "last_time"));
+        [](const WavesInTank& w) { return w.integrals(0).kinetic_energy + w.integrals(0).potential_energy; }},
+       {"significant_height", "m", "four standard deviations of the elevation by linear theory",
+        &WavesInTank::significant_height}},
+      made_by([](auto... given) { return WavesInTank::Parameters{given...}; }, "amplitude", "wavelength", "depth",
+              "gravity", "first", "last", "focus", "peak", "seed", "markers", "last_time"));
 }
 
 }  // namespace seiche::exact

@@ -37,27 +37,35 @@
 /// (1976) 1. The amplitude of the pressure is the user's: 0.1 is fitted to the times of the frames of Frank (1994),
 /// figure 10, which does not print one.
 ///
-/// A group of waves that comes to a focus at a wall: fully nonlinear potential flow in a tank of constant depth.
+/// Many waves in a tank of constant depth: a group that comes to a focus at a wall, or an irregular sea. Fully
+/// nonlinear potential flow.
 ///
-/// Between walls at x = 0 and half a wavelength, modes n = first .. last of equal amplitude a start with the surface
-/// and the potential that linear theory gives them at t = 0 (k = 2 pi/wavelength, w_n^2 = g n k tanh n k h):
+/// Between walls at x = 0 and half a wavelength, modes n = first .. last start with the surface and the potential that
+/// linear theory gives them at t = 0 (k = 2 pi/wavelength, w_n^2 = g n k tanh n k h):
 ///
-///     eta = sum a cos n k x cos w_n(t - focus),    a = amplitude/(last - first + 1),
-///     phi = -sum (a g/w_n) cosh n k(y + h)/cosh n k h cos n k x sin w_n(t - focus),   on the surface y = eta.
+///     eta = sum a_n cos n k x cos(w_n(t - focus) + e_n),    sum a_n = amplitude,
+///     phi = -sum (a_n g/w_n) cosh n k(y + h)/cosh n k h cos n k x sin(w_n(t - focus) + e_n),   on the surface y = eta.
 ///
-/// By linear theory all crests meet at the wall x = 0 at t = focus, `amplitude` high. The tank and its mirror image are
-/// the period of the computed motion. focus = 0 starts at rest; one mode is a standing wave.
+/// The a_n are equal, or, with a mode `peak`, a_n^2 is in proportion to JONSWAP's spectrum with its peak there,
 ///
-/// When not to use it: groups steep enough to break, or to throw a jet up the wall.
+///     S(w) = w^-5 exp(-(5/4) (w_p/w)^4) 3.3^exp(-(w/w_p - 1)^2/(2 s^2)),  s = 0.07 for w <= w_p, 0.09 above,
 ///
-/// Reference: Baldock, Swan & Taylor, A laboratory study of nonlinear surface waves on water, Phil. Trans. R. Soc.
-/// Lond. A 354 (1996) 649 (groups of equal amplitudes).
+/// times the band dw_n = c_g k. With seed = 0 all e_n are 0: by linear theory all crests meet at the wall x = 0 at
+/// t = focus, `amplitude` high; focus = 0 starts at rest, and one mode is a standing wave. Any other seed draws the e_n
+/// at random between 0 and 2 pi: an irregular sea. The tank and its mirror image are the period of the computed motion.
+///
+/// When not to use it: waves steep enough to break, or to throw a jet up the wall.
+///
+/// References: Baldock, Swan & Taylor, A laboratory study of nonlinear surface waves on water, Phil. Trans. R. Soc.
+/// Lond. A 354 (1996) 649 (groups of equal amplitudes); Hasselmann et al., Measurements of wind-wave growth and swell
+/// decay during the Joint North Sea Wave Project, Dtsch. Hydrogr. Z. A 8(12) (1973).
 #pragma once
 
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <optional>
+#include <vector>
 
 #include "seiche/exact/overturning/surface_curve.hpp"
 #include "seiche/exact/reference_solution.hpp"
@@ -119,22 +127,33 @@ class PressureForcedWave : public overturning::MovingSurface {
   std::optional<double> kinetic_energy_;  ///< of the Stokes wave, per wavelength [m^4/s^2]
 };
 
-class FocusedGroup : public overturning::MovingSurface {
+class WavesInTank : public overturning::MovingSurface {
  public:
   struct Parameters {
-    double amplitude = 0.1;     ///< of the crest at the focus by linear theory [m]; steepness amplitude k last < 1
+    double amplitude = 0.1;     ///< sum of the modes' amplitudes [m]; steepness amplitude k last < 1
     double wavelength = 12;     ///< twice the length of the tank [m]
     double depth = 1;           ///< [m]; infinite for deep water
     double gravity = 9.81;      ///< [m/s^2]
     int first = 2, last = 7;    ///< modes, whole waves in `wavelength`; 1 <= first <= last <= markers/8
     double focus = 0;           ///< [s]; not negative
+    int peak = 0;               ///< mode at the spectrum's peak; 0: equal amplitudes
+    int seed = 0;               ///< of the phases; 0: none, a focus
     std::size_t markers = 256;  ///< even, at least 64
     double last_time = 0;       ///< [s]; 0: the focus, or one period of the longest mode if that is 0
     double tolerance = 2e-11;   ///< of a time step, in units of 1/k
   };
 
   /// Computes the motion until last_time or until it ends by itself. Throws std::invalid_argument.
-  explicit FocusedGroup(const Parameters& parameters);
+  explicit WavesInTank(const Parameters& parameters);
+
+  /// By linear theory its elevation is amplitude cos(wavenumber x) cos(frequency t + phase).
+  struct Mode {
+    double wavenumber, amplitude, frequency, phase;  ///< [1/m], [m], [1/s], [1]
+  };
+  static std::vector<Mode> modes_of(const Parameters& parameters);
+  [[nodiscard]] const std::vector<Mode>& modes() const { return modes_; }
+  /// Four standard deviations of the elevation of linear theory, over the tank and a long time [m].
+  [[nodiscard]] double significant_height() const;
 
   /// Linear theory, anywhere in the water, at any time; the motion starts with it at t = 0.
   struct Linear {
@@ -145,13 +164,12 @@ class FocusedGroup : public overturning::MovingSurface {
     double discharge = 0;  ///< of the water below y, towards +x [m^2/s]
   };
   [[nodiscard]] Linear linear(double x, double y, double t) const;
-  [[nodiscard]] double amplitude() const { return parameters_.amplitude; }
-  [[nodiscard]] double focus() const { return parameters_.focus; }
 
   [[nodiscard]] SelfTest self_test() const;
 
  private:
   Parameters parameters_;
+  std::vector<Mode> modes_;
 };
 
 }  // namespace seiche::exact

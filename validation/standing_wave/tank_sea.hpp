@@ -1,0 +1,39 @@
+/// Waves of many lengths in a tank, computed with six models beside the exact flow. Depth, gravity and density are 1.
+#pragma once
+
+#include <string>
+
+#include "seiche/exact/overturning/overturning_wave.hpp"
+#include "validation/case/case.hpp"
+#include "validation/studies/side_by_side/contest.hpp"
+
+namespace seiche::validation::tank_sea {
+
+constexpr double length = 6;  ///< of the tank
+
+struct Comparison {
+  exact::WavesInTank::Parameters sea;  ///< `wavelength` and `last_time` are set here
+  double end = 1;                      ///< when errors are compared
+  double last = 1;                     ///< until which the models are followed
+  std::string instant;                 ///< "at the focus"
+  double resolved = 0.25;              ///< share of linear theory's error below which the nonlinearity is resolved
+  double soon = 10;                    ///< longer runs differ from linear theory by less than the grids' phase errors
+  bool tangles = false;                ///< the mesh, before the end, of waves that are not higher than others
+};
+
+struct Results {
+  Contest contest;
+  double linear = 0;   ///< rms of linear theory from the exact surface at the end, over the amplitude
+  double highest = 0;  ///< of the exact surface at the end, over the amplitude
+};
+
+/// A case's own parameters and the sizes of the six models. @param mesh  rows of the finest mesh
+std::vector<Parameter> with_sizes(std::vector<Parameter> own, ByTier<long> mesh);
+
+void claims(const Values& values, const Claims<Results>& all, const Comparison& comparison, const std::string& source);
+
+Results compute(const Run& run, const Comparison& comparison);
+
+void show(const Results& results, const Values& values, evidence::Exhibit& exhibit);
+
+}  // namespace seiche::validation::tank_sea
