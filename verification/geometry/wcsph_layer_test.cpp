@@ -21,14 +21,13 @@ double elevation(double x) {
   return 0.5 * depth * std::cos(2 * std::numbers::pi * x);
 }
 
-Scene wavy_layer(Fitting fitting) {
-  return periodic_layer(
-      {.period = 1, .depth = depth, .elevation = elevation, .spacing = depth / 10, .fitting = fitting}, water);
+Scene wavy_layer() {
+  return periodic_layer({.period = 1, .depth = depth, .elevation = elevation, .spacing = depth / 10}, water);
 }
 
-double mass_defect(Fitting fitting) {
+double mass_defect() {
   CompensatedSum mass;
-  const Scene scene = wavy_layer(fitting);
+  const Scene scene = wavy_layer();
   for (std::size_t i = 0; i < scene.particles.size(); ++i) {
     if (scene.particles.kind[i] == Kind::fluid) mass.add(scene.particles.mass[i]);
   }
@@ -36,19 +35,16 @@ double mass_defect(Fitting fitting) {
 }
 
 TEST_CASE("layers follow their surface and patches their circle", "[geometry]") {
-  Check check(
-      "wcsph_layers_patches", "Layers with an uneven surface and round patches",
-      "A cosine of half the depth on columns of constant spacing and on stretched ones: the mass is exact. A disc of 1 "
-      "m: the count, the second moment that the lattice gives it, velocities and pressures at the particles.",
-      lattices);
+  Check check("wcsph_layers_patches", "Layers with an uneven surface and round patches",
+              "A cosine of half the depth on columns of constant spacing: the mass is exact. A disc of 1 "
+              "m: the count, the second moment that the lattice gives it, velocities and pressures at the particles.",
+              lattices);
   check.that("columns", "The area below the surface is represented by columns of equal spacing.",
-             "relative error of the mass", {mass_defect(Fitting::columns)},
+             "relative error of the mass", {mass_defect()},
              Roundoff{20, 1,
                       "the mean of three depths; the sum is compensated, and the elevation's means over all strips "
                       "cancel by symmetry"});
-  check.that("stretched", "The area of stretched columns equals the area below the surface.",
-             "relative error of the mass", {mass_defect(Fitting::stretched)}, Roundoff{20, 1, "the same"});
-  const Scene overturning = wavy_layer(Fitting::columns);
+  const Scene overturning = wavy_layer();
   Smallest lightest;
   Largest heaviest;
   for (std::size_t i = 0; i < overturning.particles.size(); ++i) {

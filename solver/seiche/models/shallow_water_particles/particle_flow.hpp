@@ -218,8 +218,6 @@ class ParticleFlow {
   [[nodiscard]] const std::vector<Structure>& structures() const { return structures_; }
   /// Jumps found in particles now; those inside a followed collision are not among them.
   [[nodiscard]] const std::vector<InteriorJump>& jumps() const { return jumps_; }
-  /// Velocity of the front at a Vacuum end on a flat bed [m/s].
-  [[nodiscard]] double front_velocity(bool right) const { return front_velocity_[right ? 1 : 0]; }
 
  private:
   // An end seen from inside: index 0 is the end particle (edge), signs point outwards.

@@ -102,18 +102,18 @@ class SceneBuilder {
     walls(places, surface);
   }
   /// Lattice points in whole cells from the origin, at rest below a level surface.
-  void still_water(long columns, long rows, bool hydrostatic_start = true) {
+  void still_water(long columns, long rows) {
     scene.still_water = length(rows);
-    water_at_rest(0, columns, rows, hydrostatic_start);
+    water_at_rest(0, columns, rows);
   }
   /// The same in columns from number `first` on, with a surface of its own.
-  void water_at_rest(long first, long columns, long rows, bool hydrostatic_start) {
+  void water_at_rest(long first, long columns, long rows) {
     const double cells = static_cast<double>(columns) * static_cast<double>(rows);
     require_that(cells <= most_cells, "{} x {} cells of water at spacing = {:g}: must be at most {:g}", columns, rows,
                  scene.spacing, most_cells);
     const double level = length(rows);
     for (const Place& place : rectangle(lattice_, scene.spacing, length(first), 0, columns, rows)) {
-      fluid(place, particle_area_, hydrostatic(hydrostatic_start ? level - place.z : 0));
+      fluid(place, particle_area_, hydrostatic(level - place.z));
     }
   }
 
@@ -165,14 +165,11 @@ Scene dam_break(const DamBreak& dam, const Settings& settings) {
   require_within("water_ahead", dam.water_ahead, 0, dam.height);
   const long rows_ahead = dam.water_ahead > 0 ? builder.whole("water_ahead", dam.water_ahead) : 0;
 
-  builder.still_water(columns, rows, dam.hydrostatic);
-  if (rows_ahead > 0) builder.water_at_rest(columns, tank - 1 - columns, rows_ahead, dam.hydrostatic);
+  builder.still_water(columns, rows);
+  if (rows_ahead > 0) builder.water_at_rest(columns, tank - 1 - columns, rows_ahead);
   const double column_end = builder.length(columns);
   const double level_ahead = rows_ahead > 0 ? builder.length(rows_ahead) : dry;
-  const auto surface = [&](double x) {
-    if (!dam.hydrostatic) return dry;
-    return x <= column_end ? builder.scene.still_water : level_ahead;
-  };
+  const auto surface = [&](double x) { return x <= column_end ? builder.scene.still_water : level_ahead; };
   builder.enclose(tank - 1, wall_height, builder.length(wall_height) - dam.spacing / 2, dam.wall_rows,
                   dam.corners_twice, surface);
   return std::move(builder.scene);
@@ -187,9 +184,9 @@ Scene tank(const Tank& parameters, const Settings& settings) {
       parameters.wall_height > 0 ? builder.whole("wall_height", parameters.wall_height, rows) : rows + 4;
   require_within("wall_rows", parameters.wall_rows, 1, 3);
 
-  builder.still_water(columns, rows, parameters.hydrostatic);
+  builder.still_water(columns, rows);
   builder.enclose(columns, wall_height, builder.length(wall_height) + parameters.spacing / 2, parameters.wall_rows,
-                  false, [&](double) { return parameters.hydrostatic ? builder.scene.still_water : dry; });
+                  false, [&](double) { return builder.scene.still_water; });
   return std::move(builder.scene);
 }
 
@@ -258,9 +255,7 @@ Scene periodic_layer(const PeriodicLayer& layer, const Settings& settings) {
   SceneBuilder builder(layer.spacing, layer.lattice, settings);
   const long columns = builder.whole("period", layer.period, 3);
   require_positive("depth", layer.depth);
-  const long rows = layer.fitting == Fitting::stretched ? builder.whole("depth", layer.depth)
-                                                        : std::lround(layer.depth / layer.spacing);
-  require_at_least("particles in the depth", rows, 1);
+  require_at_least("particles in the depth", std::lround(layer.depth / layer.spacing), 1);
   require_within("wall_rows", layer.wall_rows, 1, 3);
   const double spacing = layer.spacing;
   const auto depth = [&](double x) {
@@ -275,7 +270,7 @@ Scene periodic_layer(const PeriodicLayer& layer, const Settings& settings) {
     // Mean over the strip of the line, by Gauss's rule of three points.
     const double offset = std::sqrt(0.6) * line.width / 2;
     const double water = (5 * depth(line.x - offset) + 8 * depth(line.x) + 5 * depth(line.x + offset)) / 18;
-    const long count = layer.fitting == Fitting::stretched ? rows : std::max(1L, std::lround(water / spacing));
+    const long count = std::max(1L, std::lround(water / spacing));
     const double step = water / static_cast<double>(count);
     for (long k = 0; k < count; ++k) {
       const Place place{line.x, (static_cast<double>(k) + line.offset) * step};

@@ -59,7 +59,6 @@ struct DamBreak {
   Lattice lattice = Lattice::square;
   int wall_rows = 2;
   bool corners_twice = false;
-  bool hydrostatic = true;  ///< otherwise rho_0 throughout
 };
 Scene dam_break(const DamBreak& dam, const Settings& settings);
 
@@ -71,7 +70,6 @@ struct Tank {
   double spacing = 0;
   Lattice lattice = Lattice::square;
   int wall_rows = 2;
-  bool hydrostatic = true;
 };
 Scene tank(const Tank& parameters, const Settings& settings);
 
@@ -93,13 +91,8 @@ struct Flume {
 };
 Scene flume(const Flume& parameters, const Settings& settings);
 
-/// How columns of particles follow a surface that is not level.
-enum class Fitting {
-  stretched,  ///< as many particles in every column, masses in proportion to the depth: small amplitudes
-  columns,    ///< per column the number that keeps the spacing nearest to dx, and the mass that keeps the volume
-};
-
-/// Water between a level bottom and z = elevation(x), in a box that repeats itself in x.
+/// Water between a level bottom and z = elevation(x), in a box that repeats itself in x. Columns have the number of
+/// particles that keeps their spacing nearest to dx, and the mass that keeps the volume.
 struct PeriodicLayer {
   double period = 0;                                     ///< L [m]
   double depth = 0;                                      ///< of the mean surface [m]
@@ -109,7 +102,6 @@ struct PeriodicLayer {
   double spacing = 0;
   Lattice lattice = Lattice::square;
   int wall_rows = 2;
-  Fitting fitting = Fitting::columns;
 };
 Scene periodic_layer(const PeriodicLayer& layer, const Settings& settings);
 
