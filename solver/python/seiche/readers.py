@@ -363,7 +363,7 @@ def read_series(path):
     """Times, and the levels at every gauge by its name; times that ascend."""
     path = pathlib.Path(path)
     times, levels = guarded(path, SERIES)
-    if not (levels and times.size and np.isfinite(times).all()):
+    if not (levels and np.isfinite(times).all()):
         raise Unusable(f"{path}: needs times that are finite numbers, and a gauge with a value at each")
     order = np.argsort(times, kind="stable")
     return counted(times[order]), {name: values[order] for name, values in levels.items()}
