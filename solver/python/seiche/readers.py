@@ -278,7 +278,7 @@ def files_of(paths):
             times = sorted((p for p in path.iterdir() if p.is_dir() and number_in(p.name) is not None),
                            key=lambda p: float(p.name))
             known = [p for folder in times or [path] for p in sorted(folder.iterdir()) if p.suffix in READERS]
-            kinds = collections.Counter(p.suffix for p in known).most_common(1)
+            kinds = collections.Counter(p.suffix for p in known).most_common()
             yield from (p for p in known if p.suffix == kinds[0][0])
         else:
             raise Unusable(f"{path}: is not there")
