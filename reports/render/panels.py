@@ -256,9 +256,9 @@ def _limits(axis, panel):
     if styled and not panel.get("log_y"):
         floor = min([low] + [value for series in styled for value in series.get("y", ()) if math.isfinite(value)])
         if any(series.get("role") == "bed" for series in styled):
-            axis.set_ylim(min(low, floor - 0.07 * (high - floor)), high)      # room below the bed for its fill
+            axis.set_ylim(floor - 0.07 * (high - floor), high)      # room below the bed for its fill
         else:
-            axis.set_ylim(min(low, floor, 0), high)                           # water stands on its bottom
+            axis.set_ylim(min(floor, 0), high)                      # water stands on its bottom
     for name, which in (("x_min", "left"), ("x_max", "right")):
         if given(panel.get(name)):
             axis.set_xlim(**{which: panel[name]})
