@@ -198,7 +198,8 @@ class Adapt(Scoring):
             self.refuses(self.adapt("front", self.write(f"{header}\n0,0,1\n"), "--field", "h"),
                          "needs columns t and x", header.replace(",", ", "))
         with unittest.mock.patch.dict(sys.modules, xarray=None):
-            self.refuses(self.adapt("front", self.write("", "run.nc")), "needs the Python package xarray", "apt install python3-xarray")
+            self.refuses(self.adapt("front", self.write("", "run.nc")), "needs the Python package xarray",
+                         "apt install python3-xarray")
 
     @unittest.skipUnless(has("vtk"), "python3-vtk9 is not installed")
     def test_vtk_contour_of_a_fraction(self):

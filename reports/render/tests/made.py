@@ -6,6 +6,7 @@ import io
 import json
 import os
 import pathlib
+import re
 import sys
 import tempfile
 import types
@@ -40,6 +41,7 @@ class Page(html.parser.HTMLParser):
         super().__init__()
         self.open, self.ids, self.references, self.faults, self.names = [], [], [], [], []
         self.feed(text)
+        self.references += re.findall(r'url\("([^"]+)"\)', text)
         self.faults += [f"<{name}> is never closed" for name in self.open]
 
     def handle_starttag(self, name, attributes):

@@ -24,9 +24,12 @@ class Layout(unittest.TestCase):
     def test_columns_of_panels(self):
         plain, other = panel(series("a")), panel(series("a"), y_label="other")
         pair, surface, plan = [plain, other], heights(hill()), heights(hill(style="plan"))
-        for shown, columns in (([plain], 1), ([plain, wide(5.1)], 1), ([plain, wide(4.9)], 2), (2 * [framed(surface), framed(plan)], 2),
-                               (3 * [plain], 3), (2 * [plain] + [wide(1.5)], 3), (2 * [plain] + [wide(1.7)], 2), (4 * pair, 2), (6 * [plain], 2),
-                               (7 * [plain], 3), (8 * [plain], 3), (3 * [plain] + [other], 2), ([plain, other, other, plain] * 2, 3),
+        for shown, columns in (([plain], 1), ([plain, wide(5.1)], 1), ([plain, wide(4.9)], 2),
+                               (2 * [framed(surface), framed(plan)], 2),
+                               (3 * [plain], 3), (2 * [plain] + [wide(1.5)], 3), (2 * [plain] + [wide(1.7)], 2), (4 * pair, 2),
+                               (6 * [plain], 2),
+                               (7 * [plain], 3), (8 * [plain], 3), (3 * [plain] + [other], 2),
+                               ([plain, other, other, plain] * 2, 3),
                                (4 * [framed(surface), framed(plan)], 2), (8 * [framed(plan)], 3)):
             self.assertEqual(layout.columns_of(shown), columns, len(shown))
 
@@ -87,15 +90,19 @@ class Legends(unittest.TestCase):
         return [one["label"] for one in legends.shared_legend(shown)]
 
     def test_labels_are_named_once_and_surfaces_are_not(self):
-        one = panel(series("a"), series("a"), series("a", "exact"), series(" "), series("s", style="surface"), series("p", style="plan"))
-        self.assertEqual([(found["label"], found["role"]) for found in legends.labels(one)], [("a", "computed"), ("a", "exact")])
+        one = panel(series("a"), series("a"), series("a", "exact"), series(" "), series("s", style="surface"),
+                    series("p", style="plan"))
+        self.assertEqual([(found["label"], found["role"]) for found in legends.labels(one)],
+                         [("a", "computed"), ("a", "exact")])
 
     def test_a_legend_is_shared_where_panels_share_their_labels_or_one_cannot_hold_it(self):
         def of(names, **changes):
             return panel(*map(series, names), **changes)
         for shown, names in (([of("abcdef")], ""), ([of("abcdefg")], "abcdefg"), ([of("")], ""), ([of("ab"), of("ab")], "ab"),
-                             ([of("ab"), of("cd")], ""), ([of("abc"), of("abcd"), of("")], "abcd"), ([of("ab"), of("c"), of("abc"), of("bc"), of("a")], "abc"),
-                             (2 * [of("abcdefghijkl")], "abcdefghijkl"), (2 * [of("abcdefghijklm")], ""), (2 * [of("")], ""), ([of("abc"), of("cde")], "abcde"),
+                             ([of("ab"), of("cd")], ""), ([of("abc"), of("abcd"), of("")], "abcd"),
+                             ([of("ab"), of("c"), of("abc"), of("bc"), of("a")], "abc"),
+                             (2 * [of("abcdefghijkl")], "abcdefghijkl"), (2 * [of("abcdefghijklm")], ""), (2 * [of("")], ""),
+                             ([of("abc"), of("cde")], "abcde"),
                              ([of("abcd"), of("de"), of("ab")], "")):
             self.assertEqual(self.names(shown), list(names))
         for ratio, names in ((1.9, []), (2.1, ["a"])):
@@ -103,10 +110,12 @@ class Legends(unittest.TestCase):
 
     def test_columns_of_a_legend_have_room_for_its_longest_label(self):
         for count, length, columns in ((3, 1, 3), (20, 1, 10), (20, 12, 5), (20, 26, 3), (4, 200, 1)):
-            self.assertEqual(legends.legend_columns([{"label": "x"}, *({"label": length * "x"} for _ in range(count - 1))]), columns)
+            self.assertEqual(legends.legend_columns([{"label": "x"}, *({"label": length * "x"} for _ in range(count - 1))]),
+                             columns)
 
     def test_a_legend_of_many_stands_below_its_panel_and_its_keys_have_numbers(self):
-        shown = [panel(*(series(name) for name in "abcdefgh")), panel(*(series(name) for name in "ijklmno")), panel(series("p"))]
+        shown = [panel(*(series(name) for name in "abcdefgh")), panel(*(series(name) for name in "ijklmno")),
+                 panel(series("p"))]
         axes = drawn(*shown).axes
         self.assertEqual([(axis.get_legend()._loc, axis.get_legend()._ncols) for axis in axes],
                          [(9, 3), (9, 3), (0, 1)])     # upper centre, best
@@ -114,7 +123,8 @@ class Legends(unittest.TestCase):
                          [[f"key-{k}" for k in range(8)], [f"key-{k}" for k in range(8, 15)], ["key-15"]])
 
     def test_a_handle_is_a_patch_a_marker_or_a_line(self):
-        members = [series("w", "water", "fill"), series("s", "bed", "steps", x=numpy.append(X, 6)), series("p", "data", "points"),
+        members = [series("w", "water", "fill"), series("s", "bed", "steps", x=numpy.append(X, 6)),
+                   series("p", "data", "points"),
                    series("m", "data", "points", x=numpy.arange(401.0), y=numpy.arange(401.0)), series("g", "guide", "points"),
                    series("t", style="steps", x=numpy.append(X, 6)), series("f", style="fill")]
         own = looks.Looks([panel(*members)])
@@ -127,7 +137,8 @@ class Legends(unittest.TestCase):
         self.assertEqual([one.get_linestyle() == "None" for one in (open_, full, guide, steps)], [True, True, False, False])
 
     def test_labels_are_set_by_mathtext_or_printed(self):
-        for text, wanted in (("$h^2$", "$h^2$"), ("$5 and $h$", r"\$5 and \$h\$"), ("m^2/s", "m$^{2}$/s"), ("s^{-1}", "s$^{-1}$"), (12, "12"),
+        for text, wanted in (("$h^2$", "$h^2$"), ("$5 and $h$", r"\$5 and \$h\$"), ("m^2/s", "m$^{2}$/s"),
+                             ("s^{-1}", "s$^{-1}$"), (12, "12"),
                              ("x^a", "x^a")):
             self.assertEqual(legends.safe(text), wanted)
 
@@ -137,19 +148,23 @@ class Looks(unittest.TestCase):
         def of(role, count=9):
             return [looks._look(role, k) for k in range(count)]
         self.assertEqual([one["color"] for one in of("computed")], [looks.COLOURS[k % 6] for k in range(9)])
-        self.assertEqual([one["linestyle"] for one in of("computed", 12)], [looks.DASHES[k] for k in (0, 1, 2, 3, 4, 5, 1, 2, 3, 4, 5, 0)])
+        self.assertEqual([one["linestyle"] for one in of("computed", 12)],
+                         [looks.DASHES[k] for k in (0, 1, 2, 3, 4, 5, 1, 2, 3, 4, 5, 0)])
         self.assertEqual([one["marker"] for one in of("computed")], [*looks.MARKERS, *looks.MARKERS[:2]])
         self.assertEqual([one["linestyle"] for one in of("peer", 6)], [*looks.DASHES[1:], looks.DASHES[1]])
         self.assertEqual([one["color"] for one in of("exact", 8)], 6 * [looks.INK] + looks.COLOURS[:2])
         self.assertEqual([one["filled"] for one in of("computed", 3) + of("data", 3)], [True, False, True, False, True, False])
-        self.assertEqual([(one["color"], one["linestyle"]) for one in of("guide", 4)], [(looks.GREY, looks.DASHES[k]) for k in (1, 2, 3, 1)])
+        self.assertEqual([(one["color"], one["linestyle"]) for one in of("guide", 4)],
+                         [(looks.GREY, looks.DASHES[k]) for k in (1, 2, 3, 1)])
         self.assertEqual({(one["color"], one["face"], one["linestyle"]) for one in of("water") + of("bed")},
                          {(looks.WATER_LINE, looks.WATER, "-"), (looks.BED_LINE, looks.BED, "-")})
-        order = sorted(("water", "bed", "guide", "peer", "computed", "exact", "data"), key=lambda role: looks._look(role, 0)["zorder"])
+        order = sorted(("water", "bed", "guide", "peer", "computed", "exact", "data"),
+                       key=lambda role: looks._look(role, 0)["zorder"])
         self.assertEqual(order, ["water", "bed", "guide", "peer", "computed", "exact", "data"])
 
     def test_peers_go_on_where_what_was_computed_ends_and_each_label_has_one_look(self):
-        own = looks.Looks([panel(series("a"), series("b", "peer"), series("c", "exact")), panel(series("a"), series("d"), series("s", style="plan"))])
+        own = looks.Looks([panel(series("a"), series("b", "peer"), series("c", "exact")),
+                           panel(series("a"), series("d"), series("s", style="plan"))])
         colours = [own.of(series(*one))["color"] for one in (("a",), ("b", "peer"), ("d",))]
         self.assertEqual(colours, looks.COLOURS[:3])
         self.assertEqual((own.labels(), own.number(series("d"))), (list("abcd"), 3))
@@ -160,14 +175,17 @@ class Plans(unittest.TestCase):
         panels.matplotlib.pyplot.close("all")
 
     def test_colours_are_about_zero_where_both_signs_matter(self):
-        for low, high, bounds, hues in ((-0.3, 1.0, (-1, 1), looks.SIGNED), (-2.0, 1.0, (-2, 2), looks.SIGNED), (-0.25, 1.0, (-0.25, 1), looks.DEPTHS),
-                                        (-1.0, 0.0, (-1, 0), looks.DEPTHS), (0.0, 2.0, (0, 2), looks.DEPTHS), (1.0, 2.0, (1, 2), looks.DEPTHS)):
+        for low, high, bounds, hues in ((-0.3, 1.0, (-1, 1), looks.SIGNED), (-2.0, 1.0, (-2, 2), looks.SIGNED),
+                                        (-0.25, 1.0, (-0.25, 1), looks.DEPTHS),
+                                        (-1.0, 0.0, (-1, 0), looks.DEPTHS), (0.0, 2.0, (0, 2), looks.DEPTHS),
+                                        (1.0, 2.0, (1, 2), looks.DEPTHS)):
             shown = lattices.colours({"z_min": low, "z_max": high})
             self.assertEqual((shown.norm.vmin, shown.norm.vmax), bounds)
             self.assertEqual([to_hex(shown.to_rgba(end)) for end in bounds], [hues[0], hues[-1]])
 
     def test_heights_are_shared_by_their_label_and_without_the_bed(self):
-        one, two = heights(hill()), heights(hill(z=hill()["z"] + 1, style="plan"), hill(role="bed", z=hill()["z"] - 9, style="plan"))
+        one, two = heights(hill()), heights(hill(z=hill()["z"] + 1, style="plan"),
+                                            hill(role="bed", z=hill()["z"] - 9, style="plan"))
         other, plain = heights(hill(z=hill()["z"] * 9), z_label="u"), panel(series("a"))
         lattices.share_heights([one, two, other, plain])
         low, high = hill()["z"].min(), hill()["z"].max()
@@ -176,7 +194,8 @@ class Plans(unittest.TestCase):
         self.assertEqual([framed(heights(hill(z=0 * hill()["z"] + 3)))[end] for end in ("z_min", "z_max")], [3, 4])
         self.assertEqual([framed(heights(hill(role="bed")))[end] for end in ("z_min", "z_max")], [0, 1])
         for wrong in (math.nan, math.inf):
-            self.assertEqual([lattices.kind(heights(*kinds)) for kinds in ((hill(), hill(style="plan")), (hill(style="plan"), series("a")), (series("a"),))],
+            self.assertEqual([lattices.kind(heights(*kinds)) for kinds in ((hill(), hill(style="plan")),
+                                                                           (hill(style="plan"), series("a")), (series("a"),))],
                              ["surface", "plan", "plain"])
             with self.assertRaisesRegex(ValueError, "no finite height"):
                 lattices.share_heights([heights(hill(z=numpy.full((31, 41), wrong)))])
@@ -201,7 +220,8 @@ class Plans(unittest.TestCase):
             lattices.thinned({name: value[:1] if name in "xyz" else value for name, value in one.items()}, {})
 
     def test_ticks_are_round_and_within_the_range(self):
-        for low, high, wanted in ((0, 1, [0, 0.2, 0.4, 0.6, 0.8, 1]), (-0.3, 0.3, [-0.3, -0.2, -0.1, 0, 0.1, 0.2, 0.3]), (0.05, 0.29, [0.05, 0.1, 0.15, 0.2, 0.25])):
+        for low, high, wanted in ((0, 1, [0, 0.2, 0.4, 0.6, 0.8, 1]), (-0.3, 0.3, [-0.3, -0.2, -0.1, 0, 0.1, 0.2, 0.3]),
+                                  (0.05, 0.29, [0.05, 0.1, 0.15, 0.2, 0.25])):
             numpy.testing.assert_allclose(lattices.ticks({"z_min": low, "z_max": high}), wanted, atol=1e-12)
 
     def test_a_plan_has_the_colours_of_its_heights_and_lines_at_the_ticks_of_its_bar(self):
@@ -245,8 +265,10 @@ class Canvas(unittest.TestCase):
     def test_the_canvas_is_as_high_as_its_rows_and_its_legend(self):
         plain = [panel(series("a")) for _ in range(3)]
         third = 0.72 * panels.WIDTH / 3
-        for shown, high in ((plain[:1], 3.7), (plain, third + 0.22 + 0.06), (4 * [panel(series(""))], 2 * 0.72 * panels.WIDTH / 2),
-                            ([panel(*map(series, "abcdefg"))], 3.7 + 0.22 + 0.06), ([wide(1.0), wide(1.0)], (3.7 - 0.65) * 1.12 / 1.03 + 0.62 + 0.28),
+        for shown, high in ((plain[:1], 3.7), (plain, third + 0.22 + 0.06),
+                            (4 * [panel(series(""))], 2 * 0.72 * panels.WIDTH / 2),
+                            ([panel(*map(series, "abcdefg"))], 3.7 + 0.22 + 0.06),
+                            ([wide(1.0), wide(1.0)], (3.7 - 0.65) * 1.12 / 1.03 + 0.62 + 0.28),
                             ([panel(*map(series, "abcdefg")), panel(*map(series, "hijklmno"))], 0.72 * 3.7 + 0.8)):
             numpy.testing.assert_allclose(drawn(*shown).get_size_inches(), (7.4, high))
         with self.assertRaisesRegex(ValueError, "no panels"):
@@ -266,8 +288,10 @@ class Canvas(unittest.TestCase):
         (axis,) = panels.film({"panels": frames}, False).axes
         self.assertEqual([points(line)[1] for line in axis.lines], [list(Y + k) for k in range(3)])
         self.assertEqual([line.get_gid() for line in axis.lines], [f"frame-{k} series-0" for k in range(3)])
-        self.assertEqual([(text.get_text(), text.get_gid()) for text in axis.texts], [(f"t = {k}", f"frame-{k}") for k in range(3)])
-        self.assertEqual((axis.get_title(loc="left"), axis.get_xlabel(), axis.get_ylabel(), axis.get_gid()), ("", "abscissa", "ordinate", "panel-0"))
+        self.assertEqual([(text.get_text(), text.get_gid()) for text in axis.texts],
+                         [(f"t = {k}", f"frame-{k}") for k in range(3)])
+        self.assertEqual((axis.get_title(loc="left"), axis.get_xlabel(), axis.get_ylabel(), axis.get_gid()),
+                         ("", "abscissa", "ordinate", "panel-0"))
         self.assertEqual([text.get_text() for text in axis.get_legend().get_texts()], ["a"])
         self.assertEqual(len({one["y_max"] for one in frames}), 1)
         self.assertAlmostEqual(axis.figure.get_size_inches()[1], 3.7 + 0.6)
@@ -277,8 +301,10 @@ class Canvas(unittest.TestCase):
         self.assertEqual((len(canvas.axes), canvas.axes[1].get_ylim()[1]), (2, hill()["z"].max() + 1))
 
     def test_series_and_areas_have_their_names(self):
-        (axis,) = drawn(panel(series("a"), series("w", "water", "fill"), series("p", "data", "points", y_error=numpy.ones(4)))).axes
-        self.assertEqual([line.get_gid() for line in axis.lines if line.get_marker() != "_"], ["series-0", "series-1", "series-2"])
+        (axis,) = drawn(panel(series("a"), series("w", "water", "fill"),
+                              series("p", "data", "points", y_error=numpy.ones(4)))).axes
+        self.assertEqual([line.get_gid() for line in axis.lines if line.get_marker() != "_"],
+                         ["series-0", "series-1", "series-2"])
         self.assertEqual({part.get_gid() for part in axis.collections}, {"series-2 area-0", "series-1 area-0"})
 
     def test_ticks_of_equal_axes_are_few_where_room_is_short(self):
@@ -290,7 +316,8 @@ class Canvas(unittest.TestCase):
                 self.assertTrue(found == count or not count and found > 3, (ratio, found))
 
     def test_wrong_lengths_are_said(self):
-        for one, words in ((series("s", style="steps"), "steps “s” need one edge more than values, not 4 and 4"), (series("l", y=Y[1:]), "series “l” has 4 x and 3 y"),
+        for one, words in ((series("s", style="steps"), "steps “s” need one edge more than values, not 4 and 4"),
+                           (series("l", y=Y[1:]), "series “l” has 4 x and 3 y"),
                            (series("p", style="points", y=Y[1:]), "series “p” has 4 x and 3 y")):
             with self.assertRaisesRegex(ValueError, words):
                 drawn(panel(one))
@@ -302,7 +329,8 @@ class Canvas(unittest.TestCase):
         self.assertEqual([line.get_markerfacecolor() for line in axis.lines[:2]], ["white", "#3b3833"])
         self.assertEqual(axis.collections[0].get_facecolor()[0].tolist(), [*to_rgb(own.of(members[2])["color"]), 0.18])
         many = series("a", "data", "points", x=numpy.arange(401.0), y=numpy.arange(401.0))
-        self.assertEqual((drawn(panel(many)).axes[0].lines[0].get_markerfacecolor(), drawn(panel(many)).axes[0].lines[0].get_markeredgewidth()), ("#3b3833", 0))
+        self.assertEqual((drawn(panel(many)).axes[0].lines[0].get_markerfacecolor(),
+                          drawn(panel(many)).axes[0].lines[0].get_markeredgewidth()), ("#3b3833", 0))
         columns = [series("w", "water", "steps", x=numpy.arange(count + 1.0), y=numpy.ones(count)) for count in (249, 250)]
         self.assertEqual([len(drawn(panel(one)).axes[0].collections) for one in columns], [1, 0])
 

@@ -61,7 +61,8 @@ class Scene(unittest.TestCase):
         self.assertEqual(view.exaggeration, 0.5)       # 0.15 * 8 * 2 / 4.32 = 0.56
         given = framed(panel(slope(0.1), x_min=-1.0, x_max=9.0, y_min=-2.0, y_max=22.0, azimuth=5.0, elevation=95.0))
         view = scene.scene(given)
-        self.assertEqual((view.low[:2].tolist(), view.high[:2].tolist(), view.azimuth, view.elevation), ([-1, -2], [9, 22], 5, 89))
+        self.assertEqual((view.low[:2].tolist(), view.high[:2].tolist(), view.azimuth, view.elevation),
+                         ([-1, -2], [9, 22], 5, 89))
         self.assertEqual(scene.scene({**given, "elevation": -5.0}).elevation, 1)
         self.assertEqual(view.exaggeration, 5)         # 0.15 * 24 * 1.25 / 1 = 4.5
         for wrong in ({"x_min": 9.0}, {"y_max": -2.0}, {"x_max": math.nan}):
@@ -115,12 +116,14 @@ class Walls(unittest.TestCase):
     def test_the_two_sides_that_face_the_eye_stand_from_below_to_the_surface(self):
         one = slope(0.1, 0.2)
         lattice = tuple(one[name] for name in "xyz")
-        for azimuth, sides in ((20, [(8, None), (None, 6)]), (-62, [(None, 0), (8, None)]), (200, [(None, 0), (0, None)]), (160, [(None, 6), (0, None)])):
+        for azimuth, sides in ((20, [(8, None), (None, 6)]), (-62, [(None, 0), (8, None)]), (200, [(None, 0), (0, None)]),
+                               (160, [(None, 6), (0, None)])):
             view = seen(azimuth)
             for bed, (dark, pale) in ((False, (looks.WATER_LINE, looks.WATER)), (True, (looks.BED_LINE, looks.BED))):
                 walls = surfaces._walls(lattice, numpy.full((4, 5), -1.0), view, bed)
                 self.assertEqual(len(walls), 2)
-                for (wall, hues), (at_x, at_y) in zip(sorted(walls, key=lambda w: -len(w[1]) if sides[0][0] is None else len(w[1])), sides):
+                for (wall, hues), (at_x, at_y) in zip(sorted(walls,
+                                                             key=lambda w: -len(w[1]) if sides[0][0] is None else len(w[1])), sides):
                     x, y, z = wall
                     if at_x is not None:
                         numpy.testing.assert_array_equal(x, at_x)
@@ -196,7 +199,8 @@ class Drawn(unittest.TestCase):
             front = min(depths[tuple(end.round(6))] for segment in line.get_segments() for end in segment)
             for mesh in meshes:
                 if order.index(mesh) > order.index(line):
-                    places = [depths.get(place) for place in zip(mesh._triangulation.x.round(6), mesh._triangulation.y.round(6))]
+                    places = [depths.get(place) for place in zip(mesh._triangulation.x.round(6),
+                                                                 mesh._triangulation.y.round(6))]
                     if None not in places:
                         self.assertLess(numpy.mean(places), front + 2)
 
@@ -206,7 +210,8 @@ class Drawn(unittest.TestCase):
         counts = []
         for series in ((slope(0.1),), (slope(0.1), bed), (slope(0.1, columns=6), bed)):
             _, _, axis = self.drawn(*series)
-            counts.append(sum(len(part._triangulation.triangles) for part in axis.collections if hasattr(part, "_triangulation")))
+            counts.append(sum(len(part._triangulation.triangles) for part in axis.collections if hasattr(part,
+                                                                                                         "_triangulation")))
         self.assertEqual(counts, [24 + 14, 2 * (24 + 14), 36 + 24 + 14])     # of another lattice the water has no walls
 
     def test_ticks_stand_at_their_numbers_on_the_edges_next_to_the_eye(self):
@@ -223,7 +228,8 @@ class Drawn(unittest.TestCase):
             self.assertTrue(at(str(number), (number, 0, -0.5)), number)
         for number in (0, 2, 4, 6):
             self.assertTrue(at(str(number), (8, number, -0.5)), number)
-        heights = [text for text in axis.texts if text.get_ha() == "right" and hasattr(text, "xy") and text.get_text() != "height"]
+        heights = [text for text in axis.texts if text.get_ha() == "right" and hasattr(text,
+                                                                                       "xy") and text.get_text() != "height"]
         for text in heights:        # on the post at the left, from the lowest water up
             value = float(text.get_text())
             self.assertGreaterEqual(value, 0)
@@ -255,7 +261,8 @@ class Drawn(unittest.TestCase):
         self.assertIn("true vertical scale", [text.get_text() for text in self.drawn(slope(0.1), exaggeration=1.0)[2].texts])
 
     def test_places_of_ticks_are_round_and_leave_room(self):
-        for low, high, most, wanted in ((0, 8, 9, [0, 2, 4, 6, 8]), (0.1, 2.0, 4.2, [0.5, 1, 1.5, 2]), (-1, 1, 1, [-1, 1]), (0, 1, 2.5, [0, 0.5, 1]),
+        for low, high, most, wanted in ((0, 8, 9, [0, 2, 4, 6, 8]), (0.1, 2.0, 4.2, [0.5, 1, 1.5, 2]), (-1, 1, 1, [-1, 1]),
+                                        (0, 1, 2.5, [0, 0.5, 1]),
                                         (0.3, 0.7, 3, [0.4, 0.6])):
             numpy.testing.assert_allclose(surfaces._places(low, high, most), wanted, err_msg=f"{low} to {high}, {most}")
 

@@ -180,14 +180,17 @@ RECORD = {"case": "a <b>", "measurements": {"speed": 2.5}, "claims": [
     {"id": name, "verdict": verdict, "text": f"text of {name}", "measured": measured, "expected": expected, "unit": unit,
      "criterion": {"limit": limit}, "as_declared": declared}
     for name, verdict, measured, expected, unit, limit, declared in (
-        ("one", "pass", 1.5, 1.0, "m", 2.0, True), ("two", "fail", 4.0, 1.0, "s", 2.0, False), ("three", "pass", 0.25, 1.0, "", 3.0, True),
-        ("seen", "pass", 1.0, 1.0, "1", None, True), ("exact", "pass", 0.0, 0.0, "1", 0.0, True), ("gone", "error", None, 1.0, "1", 1.0, True))]}
+        ("one", "pass", 1.5, 1.0, "m", 2.0, True), ("two", "fail", 4.0, 1.0, "s", 2.0, False),
+        ("three", "pass", 0.25, 1.0, "", 3.0, True),
+        ("seen", "pass", 1.0, 1.0, "1", None, True), ("exact", "pass", 0.0, 0.0, "1", 0.0, True),
+        ("gone", "error", None, 1.0, "1", 1.0, True))]}
 
 
 def test_a_result_shows_each_claim_in_its_columns():
     result = seiche.Result(RECORD, ["a note"], ["one: WORSE than before", "two: better"])
     assert (result.notes, result.worse, result.measurements) == (["a note"], ["one: WORSE than before"], {"speed": 2.5})
-    assert result.claims[0] == {"id": "one", "verdict": "pass", "text": "text of one", "measured": 1.5, "expected": 1.0, "limit": 2.0,
+    assert result.claims[0] == {"id": "one", "verdict": "pass", "text": "text of one", "measured": 1.5, "expected": 1.0,
+                                "limit": 2.0,
                                 "unit": "m"}
     assert not result.passed and seiche.Result({**RECORD, "claims": RECORD["claims"][:1]}).passed
     assert repr(result) == "<seiche.Result a <b>: 4 of 6 claims met>"
@@ -235,8 +238,10 @@ def test_a_case_has_templates_files_and_a_name(told):
         "a/table.csv": "/data/a/table.csv", "bed.asc": "/data/a/bed.asc", "b/table.csv": "/data/b/table.csv"}
     both = case.template()
     assert told[0][0] == ["score", "waves", "--template", "--table", "wall", "--set", "depth=2", "--set", "kind=piston"]
-    assert {table: {name: list(values) for name, values in columns.items() if name != "eta"} for table, columns in both.items()} == {
-        "wall": {"x": [1, 3], "t": [2, 4]}, "gauges": {"t": [pytest.approx(numpy.nan, nan_ok=True)], "h": [pytest.approx(numpy.nan, nan_ok=True)]}}
+    assert {table: {name: list(values) for name, values in columns.items() if name != "eta"} for table,
+            columns in both.items()} == {
+        "wall": {"x": [1, 3], "t": [2, 4]}, "gauges": {"t": [pytest.approx(numpy.nan, nan_ok=True)],
+                                                       "h": [pytest.approx(numpy.nan, nan_ok=True)]}}
     assert numpy.isnan(both["wall"]["eta"]).all() and list(case.template("wall")) == ["x", "t", "eta"]
 
 
@@ -249,9 +254,11 @@ def test_options_of_a_score_are_words_of_the_command(told, tmp_path):
     assert [pathlib.Path(word).name for word in data] == ["gauges.csv", "wall.csv"]
     assert words[:2] == ["score", "waves"] and words[6:-1] == ["--solver", "mine", "--json", "--out"]
     assert pathlib.Path(words[-1]).name == "results" and (result.notes, result.worse) == (["n"], ["WORSE"])
-    case.score({"gauges": table}, solver="theirs", dx=0.1, seconds=0, uncertainty={"h": "1%"}, out=tmp_path, bless=True, plain=False, absent=None,
+    case.score({"gauges": table}, solver="theirs", dx=0.1, seconds=0, uncertainty={"h": "1%"}, out=tmp_path, bless=True,
+               plain=False, absent=None,
                gauges="WG1=6")
-    assert told[-1][0][4:] == ["--table", "gauges", "--uncertainty", "h=1%", "--dx=0.1", "--seconds=0", "--bless", "--gauges=WG1=6",
+    assert told[-1][0][4:] == ["--table", "gauges", "--uncertainty", "h=1%", "--dx=0.1", "--seconds=0", "--bless",
+                               "--gauges=WG1=6",
                                "--solver", "theirs", "--json", "--out", str(tmp_path)]
     file = tmp_path / "mine.csv"
     file.write_text("as it is")
@@ -273,7 +280,8 @@ def test_options_of_a_score_are_words_of_the_command(told, tmp_path):
 
 
 @pytest.mark.parametrize("values,seconds", [
-    (numpy.array(["2020-01-02", "2020-01-03"], "M8[D]"), [0, 86400]), (numpy.array([1500, 2500], "m8[ms]"), [1.5, 2.5]), ([1, 2], [1, 2])])
+    (numpy.array(["2020-01-02", "2020-01-03"], "M8[D]"), [0, 86400]), (numpy.array([1500, 2500], "m8[ms]"), [1.5, 2.5]),
+    ([1, 2], [1, 2])])
 def test_times_are_seconds(values, seconds):
     assert list(seiche.scoring._numbers(values)) == seconds
 
@@ -284,7 +292,8 @@ def test_cases_are_run_into_a_folder(told, tmp_path):
             (tmp_path / f"{name}.json").write_text(json.dumps({**RECORD, "case": f"{name} {k}"}))
         results = seiche.run("a", "b", out=tmp_path, depth=2, **({} if tier == "quick" else {"tier": tier}))
         assert [result.record["case"] for result in results] == [f"{name} {k}" for k, name in enumerate(names)]
-        assert told[-1][0] == ["run", "a", "b", "--tier", tier, "--out", str(tmp_path), "--set", "depth=2"] and told[-1][2] == (0, 1)
+        assert told[-1][0] == ["run", "a", "b", "--tier", tier, "--out", str(tmp_path), "--set",
+                               "depth=2"] and told[-1][2] == (0, 1)
 
 
 def test_a_failed_assertion_says_claim_by_claim_what_is_not_met(told, tmp_path, monkeypatch):

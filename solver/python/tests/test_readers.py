@@ -33,7 +33,8 @@ def refused(words, call, *arguments, **options):
 
 # Points and names.
 
-@pytest.mark.parametrize("text,number", [("0.5", 0.5), ("-2e3", -2000), ("inf", None), ("nan", None), ("0.orig", None), ("", None)])
+@pytest.mark.parametrize("text,number", [("0.5", 0.5), ("-2e3", -2000), ("inf", None), ("nan", None), ("0.orig", None),
+                                         ("", None)])
 def test_a_name_is_a_finite_number_or_none(text, number):
     assert readers.number_in(text) == number
 
@@ -263,7 +264,8 @@ class Variable:
 
     def __init__(self, dims, values, **attrs):
         self.dims, self.values, self.attrs = tuple(dims.split()), numpy.asarray(values), attrs
-        self.dtype, self.ndim, self.size, self.shape = (getattr(self.values, name) for name in ("dtype", "ndim", "size", "shape"))
+        self.dtype, self.ndim, self.size, self.shape = (getattr(self.values,
+                                                                name) for name in ("dtype", "ndim", "size", "shape"))
 
     def transpose(self, _, *last):
         first = [name for name in self.dims if name not in last]
@@ -308,7 +310,8 @@ def test_units_of_netcdf(unit):
 
 @pytest.mark.parametrize("axis,name,attributes,values,wanted", [
     *((axis, name, {}, X, axis == "xy"[k // 6]) for axis in "xy" for k, name in enumerate((
-        "x", "X", "globalx", "station_x_coordinate", "mesh2d_face_x", "lon", "y", "Y", "globaly", "station_y_coordinate", "node_y",
+        "x", "X", "globalx", "station_x_coordinate", "mesh2d_face_x", "lon", "y", "Y", "globaly", "station_y_coordinate",
+        "node_y",
         "lat"))),
     ("x", "east", {"axis": "X"}, X, True), ("y", "east", {"axis": "X"}, X, False), ("y", "north", {"axis": "Y"}, X, True),
     ("x", "a", {"standard_name": "projection_x_coordinate"}, X, True), ("y", "a", {"standard_name": "latitude"}, X, True),
@@ -338,9 +341,11 @@ def test_netcdf_at_points_on_two_axes_and_on_curved_ones(netcdf):
     alone = {"x": Variable("x", X), "y": Variable("y", Y[:2])}
     for values in (Variable("y x", field), Variable("x y", field.T)):
         same(*netcdf(**alone, h=values), None, x.ravel(), y.ravel(), h=field.ravel())
-    same(*netcdf(lon=Variable("a b", x), lat=Variable("a b", y), h=Variable("a b", field)), None, x.ravel(), y.ravel(), h=field.ravel())
+    same(*netcdf(lon=Variable("a b", x), lat=Variable("a b", y), h=Variable("a b", field)), None, x.ravel(), y.ravel(),
+         h=field.ravel())
     # Nodes beside faces: each field at its own.
-    nodes, faces = netcdf(node_x=Variable("n", X), node_y=Variable("n", Y), face_x=Variable("f", V[:2]), face_y=Variable("f", H[:2]),
+    nodes, faces = netcdf(node_x=Variable("n", X), node_y=Variable("n", Y), face_x=Variable("f", V[:2]),
+                          face_y=Variable("f", H[:2]),
                           h=Variable("n", 3 * X), u=Variable("f", 5 * H[:2]))
     same(nodes, None, X, Y, h=3 * X)
     same(faces, None, V[:2], H[:2], u=5 * H[:2])
@@ -401,8 +406,10 @@ def test_what_a_library_says_against_a_file_is_one_line():
             raise error
         return reader
     path = pathlib.Path("a.xy")
-    for error, words in ((Unusable("a.xy: bad"), "^a.xy: bad$"), (Unusable("bad"), "^a.xy: bad$"), (OSError("no\n way"), "^a.xy: cannot be read: no way$"),
-                         (ValueError(), "^a.xy: cannot be read: ValueError$"), (SystemExit("x" * 300), f"^a.xy: cannot be read: {200 * 'x'}$"),
+    for error, words in ((Unusable("a.xy: bad"), "^a.xy: bad$"), (Unusable("bad"), "^a.xy: bad$"),
+                         (OSError("no\n way"), "^a.xy: cannot be read: no way$"),
+                         (ValueError(), "^a.xy: cannot be read: ValueError$"),
+                         (SystemExit("x" * 300), f"^a.xy: cannot be read: {200 * 'x'}$"),
                          (OSError("a.xy: gone"), "^a.xy: cannot be read: gone$")):
         refused(words, readers.guarded, path, {".xy": says(error)})
     refused(r"files \*.xy are not known: only .csv, .vtu", readers.guarded, path, {".vtu": 1, ".csv": 2})
@@ -471,7 +478,8 @@ def test_the_surface_of_points_of_a_field_and_of_columns():
     assert found(Snapshot(0, [2.0, 1, 1], [10.0, 4, 6])) == [[1, 2], [5, 10]]
     refused("needs --field: there are a, h", adapt.surface, Snapshot(0, X, None, {"h": H, "a": H}), None, None)
     refused("needs --field: there are none", adapt.surface, Snapshot(0, X), None, None)
-    numpy.testing.assert_array_equal(found(Snapshot(0, [2.0, 1, 4], None, {"h": [0.5, -1e21, 3]}), "h"), [[1, 2, 4], [numpy.nan, 0.5, 3]])
+    numpy.testing.assert_array_equal(found(Snapshot(0, [2.0, 1, 4], None, {"h": [0.5, -1e21, 3]}), "h"),
+                                     [[1, 2, 4], [numpy.nan, 0.5, 3]])
     columns = {"x": [1.0, 1, 0, 0, 2, 2], "y": [0.0, 2, 0, 2, 0, 2]}
     one = Snapshot(0, **columns, fields={"h": [1, 0, 1, 0.25, 0, 0]})
     assert found(one, "h") == [[0, 1], [pytest.approx(4 / 3), 1]]
@@ -519,7 +527,8 @@ def test_a_front_over_the_width_of_its_column(capsys, tmp_path):
     assert printed(capsys, *words, "--level", 0.25)[1] == [[1, 1.5], [2, 3]]
     for more, unit in (((), (2 * 9.81 / 0.5) ** 0.5), (("--square",), (9.81 / 0.5) ** 0.5), (("--gravity", 4), 4)):
         names, rows = printed(capsys, *words, "--column", 0.5, *more)
-        assert names == ["T [1]", "X [1]"] and rows == [pytest.approx([unit, 2], rel=1e-9), pytest.approx([2 * unit, 4], rel=1e-9)]
+        assert names == ["T [1]", "X [1]"] and rows == [pytest.approx([unit, 2], rel=1e-9),
+                                                        pytest.approx([2 * unit, 4], rel=1e-9)]
 
 
 def test_surfaces_and_gauges_have_their_columns(capsys, tmp_path):
@@ -539,7 +548,8 @@ def test_what_was_not_found_is_said(capsys, tmp_path):
     file = tmp_path / "a.csv"
     file.write_text("t,x,y,h\n1,0,0,5\n1,2,1,7\n")
     for words, said in ((("gauge", file, "--field", "h"), "gauge needs --at x=NUMBER"),
-                        (("gauge", file, "--field", "h", "--at", "x=9"), "not known there: over a plan it is at x=NUMBER,y=NUMBER"),
+                        (("gauge", file, "--field", "h", "--at", "x=9"),
+                         "not known there: over a plan it is at x=NUMBER,y=NUMBER"),
                         (("gauge", file, "--field", "h", "--at", "x=9,y=9"), "not known there\n"),
                         (("front", file, "--field", "h", "--level", 9), "a.csv: no front was found: is --level met?"),
                         (("series", file, file), "series needs one file")):
@@ -564,5 +574,6 @@ def test_work_apart_tells_what_it_did_and_how_it_ended(monkeypatch):
     status, told = adapt.apart(lambda: ends(signal.SIGKILL))
     assert status == -signal.SIGKILL and f"signal {signal.SIGKILL}" in told
     limits = [(resource.RLIMIT_AS, adapt.MOST_MEMORY), (resource.RLIMIT_CPU, adapt.MOST_SECONDS)]
-    assert adapt.apart(lambda: repr([resource.getrlimit(what) for what, _ in limits]))[1] == repr([(most, most) for _, most in limits])
+    assert adapt.apart(lambda: repr([resource.getrlimit(what) for what,
+                                     _ in limits]))[1] == repr([(most, most) for _, most in limits])
     assert limits[0][1] == 16 * 2**30 and limits[1][1] == 600
