@@ -209,9 +209,14 @@ class Drawn(unittest.TestCase):
         bed["z"] = bed["z"] - 2
         counts = []
         for series in ((slope(0.1),), (slope(0.1), bed), (slope(0.1, columns=6), bed)):
-            _, _, axis = self.drawn(*series)
-            counts.append(sum(len(part._triangulation.triangles) for part in axis.collections if hasattr(part,
-                                                                                                         "_triangulation")))
+            _, view, axis = self.drawn(*series)
+            meshes = [part._triangulation for part in axis.collections if hasattr(part, "_triangulation")]
+            counts.append(sum(len(mesh.triangles) for mesh in meshes))
+            foot = {**series[-1], "z": 0 * bed["z"] + view.low[2]}      # below the sides that face the eye: y = 0 and x = 8
+            facing = (foot["y"] == 0) | (foot["x"] == 8)
+            wanted = [tuple(part[name].ravel() for name in "xyz") for part in series] + [tuple(foot[name][facing] for name in "xyz")]
+            wanted = {tuple(place) for lattice in wanted for place in numpy.transpose(view.project(*lattice)[:2]).round(6)}
+            self.assertEqual({place for mesh in meshes for place in zip(mesh.x.round(6), mesh.y.round(6))}, wanted)
         self.assertEqual(counts, [24 + 14, 2 * (24 + 14), 36 + 24 + 14])     # of another lattice the water has no walls
 
     def test_ticks_stand_at_their_numbers_on_the_edges_next_to_the_eye(self):
