@@ -244,14 +244,11 @@ def _fill(axis, series, look, base):
 
 
 def _limits(axis, panel):
-    axis.autoscale_view()
     low, high = axis.get_ylim()
     if kind(panel) == "plan":
         axis.margins(0)
-        axis.autoscale_view()
     elif any(series.get("style") == "points" for series in panel["series"]):
         axis.margins(x=0.03)       # no marker is cut in half
-        axis.autoscale_view()
     styled = [series for series in panel["series"] if series.get("role") in ("water", "bed")]
     if styled and not panel.get("log_y"):
         floor = min([low] + [value for series in styled for value in series.get("y", ()) if math.isfinite(value)])

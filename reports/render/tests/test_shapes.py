@@ -108,14 +108,14 @@ class Words(unittest.TestCase):
             self.assertEqual(pages.is_first_look({"id": name, "rows": rows}), wanted)
 
     def test_the_overview_names_the_slowest_and_what_did_not_finish(self):
-        made = [of(wall_time=float(time), case=f"c{time}") for time in range(7)] + [of(status="error", error="x",
-                                                                                       wall_time=None, claims=[])]
+        made = [of(wall_time=time, case=f"c{time}") for time in (0.25, 1.5, 2.5, 0.5, 3.5)]
+        made += [of(status="error", error="x", wall_time=None, claims=[])]
         told = pages.overview([records.Case(one.case, [one]) for one in made], ["broken"], ["problem"])
         self.assertEqual(([one.wall_time for one in told["slowest"]], told["wall_time"], told["crashed"], told["quiet"],
-                          told["records"]),
-                         ([6, 5, 4, 3, 2], 21, made[7:], False, 8))
+                          told["records"]), ([3.5, 2.5, 1.5, 0.5, 0.25], 8.25, made[5:], False, 6))
+
         quiet = [pages.overview([records.Case("c", members)], broken, [])["quiet"] for members,
-                 broken in ((made[:1], []), (made[:1], [1]), (made[7:], []))]
+                 broken in ((made[:1], []), (made[:1], [1]), (made[5:], []))]
         self.assertEqual(quiet, [True, False, False])
         other = pages.overview([records.Case("c", [of(solver="theirs", wall_time=3.0)])], [], [])
         self.assertEqual((other["claims"], other["wall_time"], len(other["evidence"])), (1, 3, 3))
