@@ -162,12 +162,10 @@ def _draw_panel(axis, panel, looks, small=False, frame=""):
             later.append(series)
         _named(f"{frame} series-{looks.number(series)}".strip(), axis, _draw_series, series, looks.of(series))
     _limits(axis, panel)
-    base = axis.get_ylim()[0]
-    limits = axis.get_xlim(), axis.get_ylim()
+    base, top = axis.get_ylim()
     for series in later:
         _named(f"{frame} series-{looks.number(series)}".strip(), axis, _fill, series, looks.of(series), base)
-    axis.set_xlim(limits[0])
-    axis.set_ylim(limits[1])
+    axis.set_ylim(base, top)
     equal = panel.get("aspect") == "equal" or kind(panel) == "plan"
     if equal and not (panel.get("log_x") or panel.get("log_y")):
         axis.set_aspect("equal", adjustable="box")

@@ -6,6 +6,7 @@ import os
 import pathlib
 import pickle
 import pydoc
+import re
 import sys
 import threading
 import time
@@ -27,7 +28,35 @@ def test_every_solution_is_there_and_documented():
     assert {"riemann", "solitary", "stokes", "standing", "gerstner", "overturning_wave"} <= set(seiche.solutions)
     for name in seiche.solutions:
         assert "Parameters:" in getattr(seiche, name).__doc__
-        assert seiche.exact(name, **QUICKER.get(name, {})).name == name
+
+
+@pytest.mark.skipif(not os.path.exists(os.environ.get("SEICHE", "")), reason="the command is not built")
+@pytest.mark.parametrize("name", [name for name in seiche.solutions if name not in ("wall_load", "wall_runup",
+                                                                                    "slope_runup")])  # seconds
+def test_a_solution_is_the_command_s_output_by_output(name):
+    parameters = QUICKER.get(name, {})
+    inputs = re.findall(r"^  (\w+) \[", getattr(seiche, name).__doc__.split("Coordinates:")[1].split("Outputs:")[0], re.M)
+    at = {one: 0.0625 * (k + 1) for k, one in enumerate(inputs)}
+    words = ["--at", ",".join(f"{one}={value}" for one, value in at.items())] if inputs else []
+    command = ["exact", name, *seiche.scoring._settings(parameters), *words, "--format", "json"]
+    try:
+        said = json.loads(seiche.scoring._run(*command, "--integrals"))
+    except ValueError as outside:
+        with pytest.raises(ValueError) as ours:
+            seiche.exact(name, **parameters)(**at)
+        assert str(ours.value) in str(outside)
+        return
+    one = seiche.exact(name, **parameters)
+    assert (one.name, one.citation, one.uncertainty) == (name, said["citation"], said["uncertainty"])
+    numpy.testing.assert_equal(one.scalars, {key: numpy.nan if value is None else value for key,
+                                             value in said.get("scalars", {}).items()})
+    assert {key: said["parameters"][key] for key in one.parameters if isinstance(said["parameters"][key], float)} == {
+        key: value for key, value in one.parameters.items() if isinstance(said["parameters"][key], float)}
+    assert repr(one) == f"seiche.{name}({', '.join(f'{key}={value:g}' for key, value in sorted(one.parameters.items()))})"
+    columns = [column["name"] for column in said.get("columns", ())]
+    rows = numpy.array(said.get("rows", ()), float).reshape(-1, len(columns))
+    for key, values in one(**at).items():
+        numpy.testing.assert_array_equal(numpy.atleast_1d(values), rows[:, columns.index(key)], err_msg=key)
 
 
 def test_arrays_come_back_in_the_shape_that_coordinates_broadcast_to():
