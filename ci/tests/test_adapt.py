@@ -80,24 +80,6 @@ class Adapt(Scoring):
         self.assertEqual(gauge[:, 1].tolist(), [0.5, 1.15])
         self.assertTrue(-0.055 < gauge[1, 2] < -0.04, gauge)
 
-    def test_front_between_points_is_on_the_straight_line(self):
-        self.write("Time [s],x,h\n0,0,1\n0,1,1\n0,2,0.2\n0,3,0\n1,0,1\n1,1,1\n1,2,1\n1,3,0\n"
-                   "2,0,1\n2,1,1\n2,2,1\n2,3,1\n3,0,0\n3,1,0\n")
-        _, front = self.rows("front", self.folder / "mine.csv", "--field", "h", "--level", 0.6)
-        np.testing.assert_allclose(front, [[0, 1.5], [1, 2.4], [2, 3]])
-
-    def test_surface_is_where_a_column_of_points_is_half_full(self):
-        self.write("t,x,y,h\n3,0,0,1\n3,0,1,1\n3,0,2,0\n3,1,0,1\n3,1,1,0.25\n3,1,2,0\n")
-        _, surface = self.rows("surface", self.folder / "mine.csv", "--field", "h", "--level", 0.5)
-        np.testing.assert_allclose(surface, [[3, 0, 1.5], [3, 1, 2 / 3]])
-
-    def test_points_that_are_none_are_refused(self):
-        for x, y in (([], []), ([0.0, 1.0], [0.0]), ([[0.0, 1.0]], [[0.0, 0.0]])):
-            with h5py.File(self.folder / "a.hdf5", "w") as file:
-                file.create_group("solver_data").attrs["t"] = 0.5
-                file["particles/fluid/arrays/x"], file["particles/fluid/arrays/y"] = np.array(x), np.array(y)
-            self.refuses(self.adapt("front", self.folder / "a.hdf5", "--near", 1), "needs x and y of the particles")
-
     def test_spray_is_no_front(self):
         folder = self.folder / "run"
         folder.mkdir()
@@ -286,24 +268,6 @@ class Adapt(Scoring):
     def netcdf(self, name, **variables):
         import xarray
         xarray.Dataset(variables).to_netcdf(self.folder / name)
-
-    def test_a_dry_gauge_has_no_value(self):
-        self.write("t,x,eta\n0,0,1\n0,1,nan\n0,2,3\n1,0,1\n1,1,2\n1,2,3\n")
-        words = ("gauge", self.folder / "mine.csv", "--field", "eta", "--at")
-        _, gauge = self.rows(*words, "x=1")
-        np.testing.assert_equal(gauge, [[1, 0, np.nan], [1, 1, 2]])
-        self.refuses(self.adapt(*words, "x=1,y=2,z=3"), "x=NUMBER")
-        self.refuses(self.adapt(*words, "x=7"), "not known there")
-
-    @unittest.skipUnless(has("scipy"), "python3-scipy is not installed")
-    def test_matlab_gauge(self):
-        import scipy.io
-        x, t = np.linspace(0, 1, 11), np.array([0.0, 0.5, 1.0])
-        levels = np.add.outer(2 * x, t)
-        for field in (levels, levels.T):
-            scipy.io.savemat(self.folder / "run.mat", {"Xp": x, "Tsec": t, "Watlev": field})
-            _, gauge = self.rows("gauge", self.folder / "run.mat", "--field", "Watlev", "--at", "x=0.25")
-            np.testing.assert_allclose(gauge[:, 1:], [[0, 0.5], [0.5, 1.0], [1, 1.5]])
 
 
 if __name__ == "__main__":

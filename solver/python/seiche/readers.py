@@ -153,11 +153,12 @@ def read_netcdf(path):
         t_dims = data[t_name].dims if t_name else ()
         times = np.atleast_1d(in_si(data[t_name])) if t_name else np.array([np.nan])
         xs, ys = ([name for name, values in data.variables.items() if is_coordinate(name, values, axis)] for axis in "xy")
+        ys = [name for name in ys if name not in xs]
         sets = {}
         for name in xs:
             # A coordinate y of the same points; where there is none, one along an axis of its own.
-            along = next((y for y in ys if data[y].dims == data[name].dims and y != name), None)
-            across = next((y for y in ys if data[name].ndim == data[y].ndim == 1 and data[y].dims != data[name].dims), None)
+            along = next((y for y in ys if data[y].dims == data[name].dims), None)
+            across = next((y for y in ys if data[name].ndim == data[y].ndim == 1), None)
             sets.setdefault(data[name].dims, (name, along))
             if along is None and across is not None:
                 sets.setdefault((*data[across].dims, *data[name].dims), (name, across))

@@ -17,6 +17,7 @@ import numpy
 import pytest
 
 import seiche
+from seiche.testing import assert_score, seiche_score  # noqa: F401  (the fixture)
 
 SHORT = {"markers": 64, "last_time": 0.5}
 QUICKER = {"overturning_wave": SHORT, "pressure_forced_wave": {**SHORT, "markers": 192},
@@ -169,7 +170,6 @@ def test_a_result_is_scored(tmp_path):
     told = [claim for claim in result.claims if claim["limit"] and claim["measured"] is not None]
     wanted = {"pass": "tab:green"}
     assert drawn == [matplotlib.colors.to_hex(wanted.get(claim["verdict"], "tab:red")) for claim in told]
-    from seiche.testing import assert_score
     assert_score("standing_wave", {"wall": data})
     with pytest.raises(AssertionError, match="fail: "):
         assert_score("standing_wave", {"wall": {**data, "eta": 1.5 * data["eta"]}})
@@ -326,7 +326,6 @@ def test_cases_are_run_into_a_folder(told, tmp_path):
 
 
 def test_a_failed_assertion_says_claim_by_claim_what_is_not_met(told, tmp_path, monkeypatch):
-    from seiche.testing import assert_score
     table = {"wall": {"t": [1.0]}}
     with pytest.raises(AssertionError, match="^WORSE$"):
         assert_score("waves", table, parameters={"depth": 3}, out=tmp_path)
@@ -338,6 +337,12 @@ def test_a_failed_assertion_says_claim_by_claim_what_is_not_met(told, tmp_path, 
     assert str(failed.value) == ("<seiche.Result a <b>: 4 of 6 claims met>\nfail: text of two (two: 4.0, must be within 2.0 of 1.0 s)\n"
                                  "error: text of gone (gone: None, must be within 1.0 of 1.0 1)")
     assert assert_score("waves", table, baseline=tmp_path).record == RECORD
+
+
+def test_the_fixture_keeps_its_record_in_the_folder_of_the_test(told, seiche_score, tmp_path):
+    with pytest.raises(AssertionError, match="^WORSE$"):
+        seiche_score("waves", {"wall": {"t": [1.0]}}, parameters={"depth": 3})
+    assert told[-1][0][6:8] == ["--set", "depth=3"] and told[-1][0][-1] == str(tmp_path / "seiche")
 
 
 def test_the_command_is_found_by_variable_path_or_build_tree(monkeypatch, tmp_path):

@@ -118,7 +118,7 @@ def test_particles_of_pysph(tmp_path):
     same(*readers.read_particles(file), 0.5, X, Y, x=X, y=Y, h=H)
     particles(file, x=X, y=Y, pair=numpy.ones((3, 2)))
     same(*readers.read_particles(file), 0.5, X, Y, x=X, y=Y)
-    for wrong in ({"x": X, "h": H}, {"y": Y}, {"x": X, "y": Y, "h": H[:2]}):
+    for wrong in ({"x": X, "h": H}, {"y": Y}, {"x": X, "y": Y, "h": H[:2]}, {"x": X[:0], "y": Y[:0]}, {"x": [X], "y": [Y]}):
         particles(file, **wrong)
         refused("needs x and y of the particles, as long as the other arrays", readers.read_particles, file)
     particles(file, group="particles/water/arrays", x=X)
@@ -346,6 +346,7 @@ def test_netcdf_at_points_on_two_axes_and_on_curved_ones(netcdf):
         same(*netcdf(**alone, h=values), None, x.ravel(), y.ravel(), h=field.ravel())
     same(*netcdf(lon=Variable("a b", x), lat=Variable("a b", y), h=Variable("a b", field)), None, x.ravel(), y.ravel(),
          h=field.ravel())
+    same(*netcdf(y=Variable("n", X, axis="X"), b=Variable("m", Y), h=Variable("n", H)), None, X, h=H)     # an x that is called y
     # Nodes beside faces: each field at its own.
     nodes, faces = netcdf(node_x=Variable("n", X), node_y=Variable("n", Y), face_x=Variable("f", V[:2]),
                           face_y=Variable("f", H[:2]),
