@@ -12,7 +12,7 @@ import unittest.mock
 from made import claim, figure, published, record, write_arrays
 from test_shapes import judged, of
 
-from render import atlas, files, gallery, matrix, pictures, power, records, report, search, sharpness, speed, store, text
+from render import arrays, atlas, command, coverage, files, gallery, league, matrix, pictures, power, printed, records, report, search, sharpness, speed, store, text
 
 
 class Lists(unittest.TestCase):
@@ -212,6 +212,85 @@ class Lists(unittest.TestCase):
         self.assertEqual(pictures.draw(self.folder, self.folder / "kept"), ["tile-a"])
         with unittest.mock.patch.object(pictures, "KEPT", self.folder / "kept"):
             self.assertEqual((pictures.of("tile-a"), pictures.of("tile-b")), (self.folder / "kept/tile-a.webp", None))
+
+    def test_formulas_stand_with_their_source_and_the_claims_of_their_cases(self):
+        path = self.folder / "formulas.toml"
+        path.write_text('[[formula]]\nsource = "b"\nclaims = ["c: one*", "gone: x"]\n[[formula]]\nsource = "a"\n')
+        case = records.Case("c", [of(claims=[claim("one-1"), claim("two")])])
+        others = [records.Case("c", [of(solver="theirs", claims=[claim("one")])]),
+                  records.Case("d", [of(case="d", claims=[claim("one")])])]
+        told = printed.survey([({"id": "a"}, []), ({"id": "b"}, [])], [case, *others], path)
+        self.assertEqual([(source["id"], [[one.id for _, one in claims] for _, claims in found]) for source, found in told],
+                         [("a", [[]]), ("b", [["one-1"]])])
+
+    def test_rooms_want_nine_of_ten_lines(self):
+        rows = [("solver/seiche/io/a.cpp", 10, 9), ("solver/seiche/io/b.cpp", 20, 10), ("solver/seiche/io/c.cpp", 10, 4),
+                ("solver/seiche/b/a.cpp", 10, 9), ("ci/a/b/c.py", 1, 1), ("solver/a/b.cpp", 1, 1)]
+        rooms = {room.name: room for room in coverage.survey(rows)}
+        self.assertEqual(list(rooms), ["ci/a", "solver/a", "solver/seiche/b", "solver/seiche/io"])
+        self.assertEqual([room.wanting for room in rooms.values()], [False, False, False, True])
+        self.assertEqual([file for file, _, _ in rooms["solver/seiche/io"].behind],
+                         ["solver/seiche/io/b.cpp", "solver/seiche/io/c.cpp"])
+        self.assertEqual(rooms["solver/seiche/io"].share, 23 / 40)
+
+    def test_arrays_are_listed_and_figures_known_by_all_that_is_in_them(self):
+        def digest(label="a", x=(0, 1), y=(0, 1)):
+            write_arrays(self.folder / "a.h5", {"f": [[(label, "computed", "line", x, y)]]})
+            return arrays.survey(self.folder / "a.h5")
+        first = digest()
+        self.assertEqual([(one["name"], one["shape"], one["type"], one["unit"]) for one in first["arrays"]],
+                         [("depth", [3, 4], "float64", "m")])
+        found = [digest(**more)["figures"]["f"] for more in ({}, {"label": "b"}, {"x": (0, 2)}, {"y": (0, 2)},
+                                                             {"x": (0, 1, 2)})]
+        self.assertEqual((found[0], len(set(found))), (first["figures"]["f"], 5))
+        digest()
+        (panel,) = arrays.read_figure(self.folder / "a.h5", "f")["panels"]
+        self.assertEqual((panel["x_label"], panel["series"][0]["label"], list(panel["series"][0]["x"])), ("x [m]", "a", [0, 1]))
+        for most, fits in ((4, True), (3, False)):
+            with unittest.mock.patch.object(arrays, "LARGEST_FIGURES", most):
+                if fits:
+                    arrays.survey(self.folder / "a.h5")
+                else:
+                    with self.assertRaisesRegex(ValueError, "declare 4 numbers, more than 3"):
+                        arrays.survey(self.folder / "a.h5")
+
+    def test_a_row_of_the_league_has_each_number_in_its_column(self):
+        one = of(solver="boxes", case="wave", measurements={"cell_size": 0.05, "ladder_order_h": 1.5}, wall_time=7.0, standing={
+            "settings": "a=1", "errors": {"h": 0.25, "eta": 0.125}}, claims=[claim("a"), claim("b", verdict="fail")])
+        eta, h = league.rows_of(one, {"boxes": "2.1"})
+        self.assertEqual(list(h.values()), ["wave", "a=1", "h", "boxes", "2.1", "0.05", "0.25", "1.5", "7", 1, 2, "a processor",
+                                            "2026-01-02"])
+        self.assertEqual((eta["quantity"], eta["error"], eta["order"]), ("eta", "0.125", ""))
+        own = of(parameters={"scheme": {"value": "roe"}, "cell": {"value": 0.5}}, wall_time=0.0,
+                 standing={"settings": "", "errors": {"h": 0.1}})
+        (row,) = league.rows_of(own, {})
+        self.assertEqual((row["solver"], row["version"], row["cell"], row["seconds"], row["machine"]),
+                         ("seiche roe", "1.0", "0.5", "", ""))
+        other = records.Case("c", [of(solver="theirs", standing={"settings": "", "errors": {"h": 0.2}})])
+        kept = league.stored(self.folder / "none.csv")
+        self.assertEqual((kept, [len(league.survey([records.Case("c", [one])])) for one in (of(), other.first)]), ({}, [0, 1]))
+
+    def test_options_of_the_command_have_their_defaults(self):
+        options = command._options(["evidence"])
+        self.assertEqual((options.out, options.jobs, options.pdf, options.with_data, options.scorable),
+                         (None, min(2, os.cpu_count()), None, False, ""))
+        self.assertEqual(command._options(["e", "--jobs", "1"]).jobs, 1)
+        with self.assertRaises(SystemExit), unittest.mock.patch("sys.stderr"):
+            command._options(["e", "--jobs", "0"])
+        stage, out = self.folder / "stage", self.folder / "out"
+        for name in ("first", "second"):
+            stage.mkdir()
+            (stage / name).touch()
+            command._swap(stage, out)
+            self.assertEqual([path.name for path in self.folder.rglob("*")], ["out", name])
+
+    def test_a_figure_that_cannot_be_drawn_has_a_sentence(self):
+        for name, kind, words in (("g", "panels", "Unable|KeyError"),
+                                  ("f", "none", "no drawing is called “none”; known: film, panels")):
+            write_arrays(self.folder / "a.h5", {"f": [[("a", "computed", "line", (0, 1), (0, 1))]]})
+            self.assertRegex(gallery._draw([(str(self.folder / "a.h5"), name, kind, False, "k", str(self.folder / "x.svg"))],
+                                           1)["k"], words)
+        self.assertEqual((gallery._draw([], 1), gallery._version("no-such-package")), ({}, "none"))
 
     def test_articles_are_set_and_harmless(self):
         setter = text.Typesetter(lambda kind, key, make: make(), lambda tex, display: f"<f>{tex}{display}</f>")
