@@ -12,7 +12,8 @@ import unittest.mock
 from made import claim, figure, published, record, write_arrays
 from test_shapes import judged, of
 
-from render import arrays, atlas, command, coverage, files, gallery, league, matrix, pictures, power, printed, records, report, search, sharpness, speed, store, text
+from render import (arrays, atlas, command, coverage, files, gallery, league, matrix, pictures, power, printed, records, report,
+                    search, sharpness, speed, store, text)
 
 
 class Lists(unittest.TestCase):
