@@ -51,7 +51,7 @@ def test_a_snapshot_has_as_many_finite_x_as_y():
 
 
 def test_points_without_a_value_are_left_out():
-    one = Snapshot(0, X, Y, {"h": [0.5, numpy.nan, -1e21], "short": [1.0, 2]})
+    one = Snapshot(0, X, Y, {"h": [0.5, numpy.nan, -1e20], "short": [1.0, 2]})
     assert [list(values) for values in one.where_known("h")] == [[1], [8], [0.5]]
     assert [list(values) for values in Snapshot(0, [1.0], None, {"h": [9e19]}).where_known("h")] == [[1], [0], [9e19]]
     refused("field short has 2 values for 3 points", one.where_known, "short")
@@ -482,7 +482,7 @@ def test_the_surface_of_points_of_a_field_and_of_columns():
     assert found(Snapshot(0, [2.0, 1, 1], [10.0, 4, 6])) == [[1, 2], [5, 10]]
     refused("needs --field: there are a, h", adapt.surface, Snapshot(0, X, None, {"h": H, "a": H}), None, None)
     refused("needs --field: there are none", adapt.surface, Snapshot(0, X), None, None)
-    numpy.testing.assert_array_equal(found(Snapshot(0, [2.0, 1, 4], None, {"h": [0.5, -1e21, 3]}), "h"),
+    numpy.testing.assert_array_equal(found(Snapshot(0, [2.0, 1, 4], None, {"h": [0.5, -1e20, 3]}), "h"),
                                      [[1, 2, 4], [numpy.nan, 0.5, 3]])
     columns = {"x": [1.0, 1, 0, 0, 2, 2], "y": [0.0, 2, 0, 2, 0, 2]}
     one = Snapshot(0, **columns, fields={"h": [1, 0, 1, 0.25, 0, 0]})
