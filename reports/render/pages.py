@@ -183,15 +183,12 @@ def facts(records):
     dates = []
     for record in records:
         p = record.provenance
-        gathered["commit"][short_commit(p)] += 1
-        gathered["machine"][f"{p['processor']}, {plural(p['cores'], 'core')}"] += 1
-        gathered["system"][p["system"]] += 1
-        gathered["compiler"][p["compiler"]] += 1
-        gathered["flags"][p["flags"]] += 1
-        gathered["build"][p["build_type"]] += 1
-        gathered["threads"][str(p["threads"])] += 1
-        gathered["libraries"][", ".join(f"{name} {version}" for name, version in sorted(p["libraries"].items()))] += 1
-        gathered["version"][p["version"]] += 1
+        told = {"commit": short_commit(p), "machine": f"{p['processor']}, {plural(p['cores'], 'core')}",
+                "system": p["system"], "compiler": p["compiler"], "flags": p["flags"], "build": p["build_type"],
+                "threads": str(p["threads"]), "version": p["version"],
+                "libraries": ", ".join(f"{name} {version}" for name, version in sorted(p["libraries"].items()))}
+        for name, text in told.items():
+            gathered[name].update([text])
         dates.append(p["date"])
     result = {name: [text for text, _ in counter.most_common() if text] for name, counter in gathered.items()}
     result["first"], result["last"] = (_date(min(dates)), _date(max(dates))) if dates else ("", "")

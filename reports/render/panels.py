@@ -162,12 +162,10 @@ def _draw_panel(axis, panel, looks, small=False, frame=""):
             later.append(series)
         _named(f"{frame} series-{looks.number(series)}".strip(), axis, _draw_series, series, looks.of(series))
     _limits(axis, panel)
-    base = axis.get_ylim()[0]
-    limits = axis.get_xlim(), axis.get_ylim()
+    base, top = axis.get_ylim()
     for series in later:
         _named(f"{frame} series-{looks.number(series)}".strip(), axis, _fill, series, looks.of(series), base)
-    axis.set_xlim(limits[0])
-    axis.set_ylim(limits[1])
+    axis.set_ylim(base, top)
     equal = panel.get("aspect") == "equal" or kind(panel) == "plan"
     if equal and not (panel.get("log_x") or panel.get("log_y")):
         axis.set_aspect("equal", adjustable="box")
@@ -244,21 +242,18 @@ def _fill(axis, series, look, base):
 
 
 def _limits(axis, panel):
-    axis.autoscale_view()
     low, high = axis.get_ylim()
     if kind(panel) == "plan":
         axis.margins(0)
-        axis.autoscale_view()
     elif any(series.get("style") == "points" for series in panel["series"]):
         axis.margins(x=0.03)       # no marker is cut in half
-        axis.autoscale_view()
     styled = [series for series in panel["series"] if series.get("role") in ("water", "bed")]
     if styled and not panel.get("log_y"):
         floor = min([low] + [value for series in styled for value in series.get("y", ()) if math.isfinite(value)])
         if any(series.get("role") == "bed" for series in styled):
-            axis.set_ylim(min(low, floor - 0.07 * (high - floor)), high)      # room below the bed for its fill
+            axis.set_ylim(floor - 0.07 * (high - floor), high)      # room below the bed for its fill
         else:
-            axis.set_ylim(min(low, floor, 0), high)                           # water stands on its bottom
+            axis.set_ylim(min(floor, 0), high)                      # water stands on its bottom
     for name, which in (("x_min", "left"), ("x_max", "right")):
         if given(panel.get(name)):
             axis.set_xlim(**{which: panel[name]})

@@ -6,6 +6,7 @@ import io
 import json
 import os
 import pathlib
+import re
 import sys
 import tempfile
 import types
@@ -15,6 +16,7 @@ REPORTS = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(REPORTS))
 
 import h5py  # noqa: E402
+import matplotlib  # noqa: E402
 import numpy  # noqa: E402
 
 from render import pages, records, side_by_side  # noqa: E402
@@ -25,6 +27,7 @@ from render.text import Typesetter  # noqa: E402
 
 SCRATCH = tempfile.TemporaryDirectory(prefix="seiche-test-")    # goes with the process
 CACHE = pathlib.Path(SCRATCH.name, "cache")                     # of all reports: what they share is set and drawn once
+os.environ["MPLCONFIGDIR"] = matplotlib.get_cachedir()          # its list of fonts takes seconds
 os.environ["XDG_CACHE_HOME"] = str(CACHE)
 
 HOSTILE = "<script>alert('x')</script>\"&'"
@@ -38,6 +41,7 @@ class Page(html.parser.HTMLParser):
         super().__init__()
         self.open, self.ids, self.references, self.faults, self.names = [], [], [], [], []
         self.feed(text)
+        self.references += re.findall(r'url\("([^"]+)"\)', text)
         self.faults += [f"<{name}> is never closed" for name in self.open]
 
     def handle_starttag(self, name, attributes):

@@ -130,11 +130,12 @@ class Drawn(unittest.TestCase):
                 self.assertEqual(named[member["label"]], look(line), member)
 
     def test_labels_are_said_once_where_all_panels_say_the_same(self):
-        axes = drawn(*(panel(series("a"), title=str(k), aspect="") for k in range(4))).axes
-        columns = len({round(axis.get_subplotspec().colspan.start) for axis in axes})
-        self.assertEqual([bool(axis.get_ylabel()) for axis in axes], [k % columns == 0 for k in range(4)])
-        self.assertEqual([bool(axis.get_xlabel()) for axis in axes], [k + columns >= 4 for k in range(4)])
-        self.assertEqual([axis.get_title(loc="left") for axis in axes], list("0123"))
+        for count in (3, 4, 7):
+            axes = drawn(*(panel(series("a"), title=str(k), aspect="") for k in range(count))).axes
+            columns = len({round(axis.get_subplotspec().colspan.start) for axis in axes})
+            self.assertEqual([bool(axis.get_ylabel()) for axis in axes], [k % columns == 0 for k in range(count)])
+            self.assertEqual([bool(axis.get_xlabel()) for axis in axes], [k + columns >= count for k in range(count)])
+            self.assertEqual([axis.get_title(loc="left") for axis in axes], [str(k) for k in range(count)])
         axes = drawn(panel(series("a")), panel(series("a"), y_label="another", x_label="other")).axes
         self.assertEqual([(axis.get_xlabel(), axis.get_ylabel()) for axis in axes],
                          [("abscissa", "ordinate"), ("other", "another")])

@@ -47,6 +47,10 @@ class Report(Whole):
         for path in self.out.rglob("*.svg"):
             self.assertNotIn("<script>alert", path.read_text(encoding="utf-8"), path.name)
 
+    def test_fonts_travel_with_their_licence(self):
+        self.assertIn("assets/STIXGeneral.ttf", self.pages[self.out / "index.html"].references)
+        self.assertTrue((self.out / "assets/LICENSE_STIX").is_file())
+
     def test_figures_are_small(self):
         for path in self.out.rglob("*.svg"):
             self.assertLess(path.stat().st_size, 600_000, path.name)

@@ -130,6 +130,7 @@ class Strangers(unittest.TestCase):
             page = self.report()
         for name in ("surrogate.json", "deep.json"):
             self.assertIn(name, page)
+        self.assertNotIn("page not made", page)
         for name in ("brackets", "ticks"):
             self.assertTrue((self.out / f"cases/{name}.html").is_file())
 

@@ -153,11 +153,12 @@ def read_netcdf(path):
         t_dims = data[t_name].dims if t_name else ()
         times = np.atleast_1d(in_si(data[t_name])) if t_name else np.array([np.nan])
         xs, ys = ([name for name, values in data.variables.items() if is_coordinate(name, values, axis)] for axis in "xy")
+        ys = [name for name in ys if name not in xs]
         sets = {}
         for name in xs:
             # A coordinate y of the same points; where there is none, one along an axis of its own.
-            along = next((y for y in ys if data[y].dims == data[name].dims and y != name), None)
-            across = next((y for y in ys if data[name].ndim == data[y].ndim == 1 and data[y].dims != data[name].dims), None)
+            along = next((y for y in ys if data[y].dims == data[name].dims), None)
+            across = next((y for y in ys if data[name].ndim == data[y].ndim == 1), None)
             sets.setdefault(data[name].dims, (name, along))
             if along is None and across is not None:
                 sets.setdefault((*data[across].dims, *data[name].dims), (name, across))
@@ -278,7 +279,7 @@ def files_of(paths):
             times = sorted((p for p in path.iterdir() if p.is_dir() and number_in(p.name) is not None),
                            key=lambda p: float(p.name))
             known = [p for folder in times or [path] for p in sorted(folder.iterdir()) if p.suffix in READERS]
-            kinds = collections.Counter(p.suffix for p in known).most_common(1)
+            kinds = collections.Counter(p.suffix for p in known).most_common()
             yield from (p for p in known if p.suffix == kinds[0][0])
         else:
             raise Unusable(f"{path}: is not there")
@@ -363,7 +364,7 @@ def read_series(path):
     """Times, and the levels at every gauge by its name; times that ascend."""
     path = pathlib.Path(path)
     times, levels = guarded(path, SERIES)
-    if not (levels and times.size and np.isfinite(times).all()):
+    if not (levels and np.isfinite(times).all()):
         raise Unusable(f"{path}: needs times that are finite numbers, and a gauge with a value at each")
     order = np.argsort(times, kind="stable")
     return counted(times[order]), {name: values[order] for name, values in levels.items()}
