@@ -4,6 +4,7 @@ import functools
 import json
 import os
 import pathlib
+import re
 import subprocess
 import tempfile
 import unittest
@@ -23,6 +24,15 @@ def seiche(*words, **options):
 def printed(*words):
     """What a command prints that prints the same each time."""
     return seiche(*words).stdout
+
+
+def messages_of(file):
+    """Messages by which a source file of the project rejects its input, as patterns."""
+    for thrown in re.findall(r"(?:throw std::invalid_argument|\bfail)\(.*?\);", (SOURCE / file).read_text(), re.DOTALL):
+        for text in re.findall(r'(?:"(?:[^"\\]|\\.)*"\s*)+', thrown):
+            words = "".join(re.findall(r'"((?:[^"\\]|\\.)*)"', text))
+            if len(re.findall(r"[a-z]{2,}", words)) > 1:  # more than a separator
+                yield ".*".join(re.escape(part) for part in re.split(r"\{[^}]*\}", words))
 
 
 def rows_of(csv):
@@ -80,6 +90,11 @@ class Scoring(Scratch):
         for word in words:
             self.assertIn(word, result.stderr)
         self.assertFalse(self.out.exists() and list(self.out.iterdir()))
+
+    def every_message_tried(self, file, said):
+        for pattern in messages_of(file):
+            with self.subTest(file=str(file), message=pattern):
+                self.assertTrue(any(re.search(pattern, one) for one in said), "no row is rejected by it")
 
     def accepted(self, result, status=0):
         self.assertEqual(result.returncode, status, result.stdout + result.stderr)

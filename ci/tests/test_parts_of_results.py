@@ -88,6 +88,21 @@ class Parts(Scoring):
         self.refused(self.score("isolated_building", "--data", self.write("t,1,2,3,4\n" + wide)),
                      "fits the tables depths and velocity: add --table")
 
+    def test_places_and_tables_that_are_not_asked_for_are_refused(self):
+        rows = lambda places: "x,t,h\n" + "".join(f"{x},{t},1\n" for x in places for t in (0, 1))
+        names, template = rows_of(seiche("score", "thacker", "--template", "--table", "gauges").stdout)
+        some = ", ".join(dict.fromkeys(row[0] for row in template))
+        gauges = ("--table", "gauges")
+        for count in (1, 8, 9):
+            holds = ", ".join(map(str, range(11, 19)[:count])) + (", ..." if count > 8 else "")
+            self.refused(self.score("thacker", "--data", self.write(rows(range(11, 11 + count))), *gauges),
+                         f"mine.csv: column x: holds {holds}, must be some of {some}\n")
+        self.refused(self.score("island_gauges", "--data", self.write("x,y,t,eta\n1,1,0,0\n1,1,1,0\n"), *gauges),
+                     "column gauge: holds places where none is, must be some of 1, 2, 3, 4, 6, 9, 16, 22\n")
+        one = self.write("x,h,u\n0,1,0\n1,1,0\n", "one.csv")
+        self.refused(self.score("riemann", "--data", one, "--data", self.write("x,h,u\n0,1,0\n1,1,0\n")),
+                     f"mine.csv: holds the table profile, which {one} holds as well")
+
     def test_what_the_record_does_not_hold_is_named(self):
         water = "T,p\n" + "".join(f"{k / 20},0.01\n" for k in range(201))
         scored = self.score("dam_break_wall_pressure", "--data", self.write(water))

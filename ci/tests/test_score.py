@@ -373,22 +373,11 @@ class Score(Scoring):
     def test_wrong_options_are_refused(self):
         x, h, u = self.riemann()
         data = self.write("x,h,u\n" + "".join(f"{a},{b},{c}\n" for a, b, c in zip(x, h, u)))
-        for words, expected in [(["--map", "depth"], ["--map", "name=value"]),
-                                (["--map", "depth=H"], ["--map", "H", "energy, h, momentum, t, u, volume, x"]),
-                                (["--map", "a=h,b=h"], ["--map", "h", "twice"]),
-                                (["--map", "depth=h"], ["column depth is missing"]),
-                                (["--uncertainty", "h=-1"], ["h = -1", "at least 0"]),
-                                (["--uncertainty", "h=one"], ["h = one"]),
-                                (["--uncertainty", "q=1"], ["--uncertainty", "q"]),
+        for words, expected in [(["--map", "depth=h"], ["column depth is missing"]),
                                 (["--set", "time=6,nothing=1"], ["nothing"]),
-                                (["--set", "time=1000"], ["time = 1000"]),
-                                (["--solver", "seiche"], ["--solver"]),
-                                (["--solver", "../x"], ["--solver"])]:
+                                (["--set", "time=1000"], ["time = 1000"])]:
             with self.subTest(words=words):
                 self.refused(seiche("score", "riemann", "--data", data, *words, "--out", self.out), *expected)
-        self.refused(seiche("score", "riemann", "--out", self.out), "--data")
-        self.refused(seiche("score", "thacker", "--template"), "--table", "shorelines, gauges")
-        self.refused(seiche("score", "shock_formation", "--data", data), "shock_formation")
 
 
 if __name__ == "__main__":

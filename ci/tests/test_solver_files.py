@@ -15,6 +15,63 @@ from submitting import SEICHE, SOURCE, Scoring, exact, rows_of, seiche
 WRITTEN = SOURCE / "ci/tests/solver_output"  # by real solvers, see its README.md
 
 
+# The text of a file or of several by name, which of them is submitted and how, what is said of it.
+PROBE, GAUGE, REEF = "# Probe 0 (1 0 0)\n", "# gauge_id= 1 location=", "number of gauges:  1\nx_coord y_coord\n"
+PLACES = " ;PosX [m]:;1\n ;PosY [m]:;0\n ;PosZ [m]:;0\n"
+LINE, PATCH = "1 mx\n0 xlow\n1 dx\n\n", "1 mx\n1 my\n0 xlow\n0 ylow\n1 dx\n1 dy\n\n"
+BROKEN = [
+    ("0 1\n1 1\n", "bare.txt", "bare.txt: line 1: ", "--columns"),
+    ("0 1\n1 1\n", "bare.txt --columns t,eta,u", "2 columns", "names 3"),
+    ("t eta\n0 inf\n1 1\n", "inf.txt", "inf.txt: line 2: column eta", "inf"),
+    ("", "empty.txt --format reef3d", "empty.txt: no rows of numbers"),
+    ("<VTKFile>", "run.vtu", "run.vtu: 'python3 -m seiche.adapt' makes a table of it"),
+    (PROBE, "p", "p: no rows of numbers"),
+    ("", "p --format openfoam", "p: no rows of numbers"),
+    (PROBE + "()\n", "p", "p: line 2: no numbers"),
+    (PROBE + "# Time\n0 1 2\n0.1 1\n", "p", "p: line 4: holds another number of values than the lines before"),
+    ("# Location  0\n# hB hL\n0 1 2\n", "height.dat",
+     "height.dat: line 3: no position of a probe before it: '# Probe 0 (x y z)' or '# Location 0 : (x y z)'"),
+    (PROBE + "# Probe 1 (2 0 0)\n0 1 2 3\n", "p", "p: line 3: 3 values for 2 probes"),
+    (PROBE + "0\n", "p", "p: line 2: 0 values for 1 probes"),
+    ("# Probe 0 (1 0 0\n0 1\n", "p", "p: line 1: has no position (x y) in brackets"),
+    ("0 1 2\n", "set.xy", "set.xy: 3 columns do not fit the name of the file, SET_FIELD_FIELD.xy"),
+    ({"sets/1/a_eta.xy": "0 1\n1 1\n", "sets/1/b_eta.xy": "0 1\n2 1\n"}, "sets",
+     "1: 2 sets of different points: name the files of one of them"),
+    ({"run/note": ""}, "run", "run: is a folder without times", "it contains note"),
+    ({"run/0/deeper/note": ""}, "run", "run: its folders of times are empty"),
+    ({"p/0/eta": PROBE + "0 1\n1 1\n"}, "p --format geoclaw", "p: --format geoclaw: is a folder of openfoam"),
+    (GAUGE + " 1.0 0.0\n", "gauge00001.txt", "line 1: has no position (x y) in brackets"),
+    (GAUGE + "( 1.0 )\n", "gauge00001.txt", "line 1: the location has not two numbers"),
+    (GAUGE + "( 1.0 0.0 )\n# level, time\n", "gauge00001.txt", "line 1: no rows of numbers follow"),
+    (GAUGE + "( 1.0 0.0 ) num_var= 4\n1 0 1 0 0\n", "gauge00001.txt", "line 2: 5 entries, must be 6"),
+    (REEF + "1 0\n", "WSF.dat", "line 3: must be the number, x and y of a gauge"),
+    (REEF + "1\t 0\t 0\n\ntime\t P1\n\n0\t 1\t 2\n", "WSF.dat", "line 7: 2 values for 1 gauges"),
+    (PLACES + "Part;Time [s];Elevation_0 [m]\n", "e.csv", "line 4: ends before the first row of numbers"),
+    (PLACES.replace(";1", "").replace(";0", "") + "Part;Time [s]\n0;0\n", "e.csv", "line 1: no positions: MeasureTool"),
+    (PLACES.replace("Y [m]:;0", "Y [m]:;0;0") + "Part;Time [s];Elevation_0 [m]\n0;0;1\n", "e.csv",
+     "line 4: 3 columns, must be part, time and one for each of the 1 positions"),
+    (PLACES.replace("Z [m]:;0", "Z [m]:") + "Part;Time [s];Elevation_0 [m]\n0;0;1\n", "e.csv", "line 4: 3 columns"),
+    (PLACES + "Part;Time [s]\n0;0;1\n", "e.csv", "line 4: 2 columns, must be part, time"),
+    (PLACES + "Part;Time [s];Elevation_0 [m]\n0;0;1\n1;1;1;1\n", "e.csv", "line 6: 4 entries, must be 3"),
+    *(({"fort.q0001": grid, "fort.t0001": time}, "fort.q0001", message) for grid, time, message in (
+        (LINE + "1 0 1\n", "", "fort.t0001: is empty, must say the time"),
+        (LINE + "1 0 1\n", "time 6.0\n", "fort.t0001: line 1: must begin with the time"),
+        ("", "6.0 time\n", "fort.q0001: no patches"),
+        ("1 grid number\n", "6.0 time\n", "fort.q0001: line 1: must be a number and what it is: the header of a patch"),
+        (LINE.replace("1 mx", "0 mx"), "6.0 time\n", "line 1: mx = 0, must be in [1, 1e7]"),
+        (PATCH.replace("1 my", "1.1e7 my"), "6.0 time\n", "line 2: my = 1.1e+07, must be in [1, 1e7]"),
+        (LINE.replace("1 dx\n", ""), "6.0 time\n", "line 3: a header must have mx, xlow, dx"),
+        (PATCH.replace("0 ylow\n", "") + "1 0 0\n", "6.0 time\n", "line 7: a header must have mx, xlow, dx"),
+        ("0 xlow\n1 dx\n\n1 0 1\n", "6.0 time\n", "line 4: a header must have mx, xlow, dx"),
+        (LINE.replace("1 mx", "3 mx") + "1 0 1\n1 0 1\n", "6.0 time\n", "line 6: ends 1 cells before the patch does"),
+        (LINE + "1\n", "6.0 time\n", "line 5: 1 values in a cell, must be h, hu, eta"),
+        (PATCH + "1 1\n", "6.0 time\n", "line 8: 2 values in a cell, must be h, hu, hv, eta"),
+        (PATCH + "1 0 0 1\n\n" + LINE + "1 0 1\n", "6.0 time\n",
+         "line 13: a patch of one dimension beside one of two, must all be alike"),
+        (LINE.replace("1 mx", "2 mx") + "1 0 1\n1 0\n", "6.0 time\n", "line 6: 2 entries, must be 3"))),
+    ({"_output/fort.q0001": LINE + "1 0 1\n"}, "_output", "fort.t0001: cannot be read as a file")]
+
+
 class SolverFiles(Scoring):
     def bowl(self):
         """Positions of three gauges, times, and a row of depths per time."""
@@ -164,14 +221,6 @@ class SolverFiles(Scoring):
             self.assertIn("geoclaw, columns x, t, h, hu, eta", scored.stdout, scored.stderr)
             self.assertLess(self.record("riemann.mine")["measurements"]["h_relative_l1"], 0.02)
 
-    def test_geoclaw_grids_that_are_broken(self):
-        output = self.folder / "_output"
-        output.mkdir()
-        (output / "fort.q0001").write_text("1 grid_number\n1 AMR_level\n3 mx\n0 xlow\n1 dx\n\n1 0 1\n1 0 1\n")
-        self.refused(self.score("riemann", "--data", output), "fort.t0001")
-        (output / "fort.t0001").write_text("6.0 time\n")
-        self.refused(self.score("riemann", "--data", output), "fort.q0001", "line 8", "ends 1 cells before the patch")
-
     def test_tecplot_points(self):
         head = 'TITLE = "flume, run 3"\nVARIABLES = "Time, s"\n"eta [cm]" "u, m/s"\nZONE T="gauge, 1", I=9, F=POINT\n'
         rows = "".join(f" {t!r} {100 * eta!r} 0\n" for t, eta in zip(*(values.tolist() for values in self.wave())))
@@ -232,20 +281,22 @@ class SolverFiles(Scoring):
         self.passes("--data", self.write(tabs, "gauge.txt"), case="wavemaker_start")
 
     def test_what_is_wrong_is_named_with_its_line(self):
-        def refused(text, name, *words, columns=()):
-            self.refused(self.score("wavemaker_start", "--data", self.write(text, name), *columns), name, *words)
-
-        refused("0 1\n1 1\n", "bare.txt", "line 1", "--columns")
-        refused("0 1\n1 1\n", "bare.txt", "2 columns", "names 3", columns=("--columns", "t,eta,u"))
-        refused("# Probe 0 (1 0 0)\n# Time\n0 1 2\n0.1 1\n", "p", "line 4", "number of values")
-        refused("# Location  0\n# hB hL\n0 1 2\n", "height.dat", "line 3", "no position of a probe", "# Location 0 : (x y z)")
-        refused("# Probe 0 (1 0 0)\n# Probe 1 (2 0 0)\n0 1 2 3\n", "p", "line 3", "3 values for 2 probes")
-        refused("# gauge_id= 1 location=( 1.0 0.0 ) num_var= 4\n1 0 1 0 0\n", "gauge00001.txt", "line 2", "5 entries")
-        refused("number of gauges:  1\nx_coord y_coord\n1\t 0\t 0\n\ntime\t P1\n\n0\t 1\t 2\n", "WSF.dat", "line 7",
-                "2 values for 1 gauges")
-        refused("t eta\n0 inf\n1 1\n", "inf.txt", "line 2", "column eta", "inf")
-        self.refused(self.score("wavemaker_start", "--data", self.write("t eta\n0 1\n"), "--format", "excel"),
-                     "--format excel", "geoclaw")
+        said = []
+        for number, (files, place, *message) in enumerate(BROKEN):
+            if isinstance(files, str):
+                files = {place.split()[0]: files}
+            folder = self.folder / str(number)
+            folder.mkdir()
+            for name, text in files.items():
+                (folder / name).parent.mkdir(parents=True, exist_ok=True)
+                (folder / name).write_text(text)
+            data, *options = place.split()
+            with self.subTest(files=files, message=message):
+                result = self.score("wavemaker_start", "--data", folder / data, *options)
+                self.refused(result, *message)
+                said.append(result.stderr)
+        for file in ("gauge_files", "geoclaw_grids", "openfoam_files", "solver_files"):
+            self.every_message_tried(f"validation/scoring/{file}.cpp", said)
         self.refused(self.score("thacker", "--table", "gauges", "--data", self.write("t left right\n0 1 1\n1 1 1\n")),
                      "column h is missing", "--gauges NAME=")
 

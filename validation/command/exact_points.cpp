@@ -14,10 +14,10 @@ namespace {
 
 using exact::ExactSolution;
 
-std::vector<std::string> split(const std::string& text, char separator) {
+std::vector<std::string> split(const std::string& text) {
   std::vector<std::string> parts;
   for (std::size_t begin = 0;;) {
-    const std::size_t end = text.find(separator, begin);
+    const std::size_t end = text.find(':', begin);
     parts.push_back(text.substr(begin, end - begin));
     if (end == std::string::npos) return parts;
     begin = end + 1;
@@ -35,23 +35,21 @@ std::size_t input_named(const ExactSolution& solution, const std::string& name) 
                     : fmt::format("{} has no coordinate {}: it has {}", solution.name, name, fmt::join(names, ", ")));
 }
 
-/// "x=0:10:101" as the numbers of a range, "x=3" as one number; with the input that it names.
-std::pair<std::size_t, std::vector<double>> range_of(const ExactSolution& solution, const std::string& text) {
-  const auto [axis, value] = split_setting(text);
-  const std::size_t index = input_named(solution, axis);
-  const std::vector<std::string> parts = split(value, ':');
-  if (parts.size() == 1) return {index, {finite_number(axis, parts[0])}};
-  if (parts.size() != 3) throw std::invalid_argument(fmt::format("{}: must be {}=FROM:TO:COUNT", text, axis));
+/// Of "x=0:10:101" the numbers of a range, of "x=3" one number.
+std::vector<double> range_of(const std::string& axis, const std::string& value) {
+  const std::vector<std::string> parts = split(value);
+  if (parts.size() == 1) return {finite_number(axis, parts[0])};
+  if (parts.size() != 3) throw std::invalid_argument(fmt::format("{0}={1}: must be {0}=FROM:TO:COUNT", axis, value));
   const double from = finite_number(axis, parts[0]);
   const double to = finite_number(axis, parts[1]);
   const double count = finite_number(axis, parts[2]);
   if (count < 2 || count > 1e7 || count != std::floor(count)) {
-    throw std::invalid_argument(fmt::format("{}: COUNT = {} must be an integer in [2, 1e7]", text, parts[2]));
+    throw std::invalid_argument(fmt::format("{}={}: COUNT = {} must be an integer in [2, 1e7]", axis, value, parts[2]));
   }
   std::vector<double> values(static_cast<std::size_t>(count));
   for (std::size_t k = 0; k < values.size(); ++k) values[k] = from + (to - from) * static_cast<double>(k) / (count - 1);
   values.back() = to;
-  return {index, values};
+  return values;
 }
 
 /// Time alone has no default: a motion is asked for at an instant.
@@ -76,8 +74,9 @@ std::vector<Point> points_at(const ExactSolution& solution, const std::vector<st
   for (const std::string& text : points) {
     Point point = default_point(solution);
     std::vector<std::size_t> given;
-    for (const std::string& part : split(text, ',')) {
-      const auto [index, values] = range_of(solution, part);
+    for (const auto& [axis, value] : split_settings("--at", {text})) {
+      const std::size_t index = input_named(solution, axis);
+      const std::vector<double> values = range_of(axis, value);
       if (values.size() != 1) {
         throw std::invalid_argument(fmt::format("--at {}: must be single numbers; ranges are for --grid", text));
       }
@@ -95,8 +94,9 @@ std::vector<Point> points_on_grid(const ExactSolution& solution, const std::stri
   std::vector<std::vector<double>> ranges(solution.inputs.size());
   double total = 1;
   std::vector<std::size_t> given;
-  for (const std::string& part : split(grid, ',')) {
-    const auto [index, values] = range_of(solution, part);
+  for (const auto& [axis, value] : split_settings("--grid", {grid})) {
+    const std::size_t index = input_named(solution, axis);
+    const std::vector<double> values = range_of(axis, value);
     ranges[index] = values;
     given.push_back(index);
     total *= static_cast<double>(values.size());
@@ -122,21 +122,18 @@ std::vector<Point> points_on_grid(const ExactSolution& solution, const std::stri
 std::map<std::string, double> parameters_from(const ExactSolution& solution, const std::vector<std::string>& settings) {
   std::map<std::string, double> values;
   for (const auto& p : solution.parameters) values[p.name] = p.default_value;
-  for (const std::string& word : settings) {
-    for (const std::string& setting : split(word, ',')) {
-      const auto [name, text] = split_setting(setting);
-      const auto known = std::find_if(solution.parameters.begin(), solution.parameters.end(),
-                                      [&name = name](const auto& p) { return p.name == name; });
-      if (known != solution.parameters.end() && !known->choices.empty()) {
-        const auto choice = std::find(known->choices.begin(), known->choices.end(), text);
-        if (choice == known->choices.end()) {
-          throw std::invalid_argument(
-              fmt::format("{} = {} is unknown: must be one of {}", name, text, fmt::join(known->choices, ", ")));
-        }
-        values[name] = static_cast<double>(choice - known->choices.begin());
-      } else {
-        values[name] = number(name, text);
+  for (const auto& [name, text] : split_settings("--set", settings)) {
+    const auto known = std::find_if(solution.parameters.begin(), solution.parameters.end(),
+                                    [&name = name](const auto& p) { return p.name == name; });
+    if (known != solution.parameters.end() && !known->choices.empty()) {
+      const auto choice = std::find(known->choices.begin(), known->choices.end(), text);
+      if (choice == known->choices.end()) {
+        throw std::invalid_argument(
+            fmt::format("{} = {} is unknown: must be one of {}", name, text, fmt::join(known->choices, ", ")));
       }
+      values[name] = static_cast<double>(choice - known->choices.begin());
+    } else {
+      values[name] = number(name, text);
     }
   }
   return values;

@@ -19,14 +19,6 @@ validation::Tier tier_from(const std::string& text) {
   throw std::invalid_argument(fmt::format("--tier {} is unknown: must be one of quick, full, paper", text));
 }
 
-std::pair<std::string, std::string> split_setting(const std::string& text) {
-  const std::size_t equals = text.find('=');
-  if (equals == std::string::npos || equals == 0) {
-    throw std::invalid_argument(fmt::format("--set {}: must be name=value", text));
-  }
-  return {text.substr(0, equals), text.substr(equals + 1)};
-}
-
 std::vector<std::pair<std::string, std::string>> split_settings(const std::string& option,
                                                                 const std::vector<std::string>& texts) {
   std::vector<std::pair<std::string, std::string>> pairs;

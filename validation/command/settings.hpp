@@ -12,10 +12,7 @@ namespace seiche::command {
 /// What --tier names. @throws std::invalid_argument
 validation::Tier tier_from(const std::string& text);
 
-/// "name=value" taken apart. @throws std::invalid_argument when there is no '='
-std::pair<std::string, std::string> split_setting(const std::string& text);
-
-/// Several of them: "a=1,b=2" and the option repeated. @throws std::invalid_argument naming the option
+/// "a=1,b=2", the option repeated, taken apart. @throws std::invalid_argument naming the option
 std::vector<std::pair<std::string, std::string>> split_settings(const std::string& option,
                                                                 const std::vector<std::string>& texts);
 

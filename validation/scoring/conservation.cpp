@@ -133,7 +133,7 @@ History take_history(std::vector<io::Table>& files, const std::vector<WantedTabl
     std::iota(rows.begin(), rows.end(), 0);
     rows = in_order(t, rows).rows;
     if (rows.size() < 2)
-      throw std::invalid_argument(fmt::format("{}: {} rows, must be at least two", holder, t.size()));
+      throw std::invalid_argument(fmt::format("{}: {} rows, must be at least two", holder, rows.size()));
     names.emplace_back("t");
     for (const std::string& name : names) {
       const std::vector<double>& values = file->column(name_in_file(name, renamed));

@@ -199,12 +199,10 @@ void try_fitted(Search& search, Curve submitted) {
   });
 }
 
-bool alike(double factor, double known) {
-  return std::abs(factor / known - 1) < 0.05;
-}
+constexpr double to_five_per_cent = 0.05;
 
 std::string unit_name(double factor, const std::string& unit) {
-  const auto is = [&](double known) { return alike(factor, known); };
+  const auto is = [&](double known) { return std::abs(factor / known - 1) < to_five_per_cent; };
   if (unit == "m") {
     if (is(1000)) return "millimetres for metres";
     if (is(100)) return "centimetres for metres";
@@ -230,12 +228,17 @@ double misfit(Curve submitted, Curve reference) {
 }
 
 std::string unit_mistaken(double factor, const std::string& unit) {
+  double nearest = 0;
+  double off = to_five_per_cent;
   for (const double known : factors) {
     for (const double f : {known, 1 / known}) {
-      if (alike(factor, f)) return unit_name(f, unit);
+      if (const double here = std::abs(factor / f - 1); here < off) {
+        off = here;
+        nearest = f;
+      }
     }
   }
-  return {};
+  return nearest > 0 ? unit_name(nearest, unit) : "";
 }
 
 std::optional<Misreading> misreading(Curve submitted, Curve reference) {

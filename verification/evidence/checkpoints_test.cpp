@@ -120,13 +120,23 @@ TEST_CASE("a finished part is computed once, and removed with the folder", "[che
     const Checkpoints* checkpoints = folder.open(resuming);
     CHECK(eleven(*checkpoints, computed) == 11);
     CHECK(computed == 3);
-    CHECK(checkpoints->notes().size() == 2);  // of reading and of writing
+    REQUIRE(checkpoints->notes().size() == 2);
+    CHECK_THAT(checkpoints->notes()[0], Catch::Contains("cannot read"));
+    CHECK_THAT(checkpoints->notes()[1], Catch::Contains("cannot write"));
   }
   SECTION("partial files of a killed process are removed") {
     std::ofstream(folder.path() / ".h.checkpoint.4711.part") << "half";
     folder.open(resuming);
     CHECK_FALSE(std::filesystem::exists(folder.path() / ".h.checkpoint.4711.part"));
   }
+}
+
+TEST_CASE("a part that holds more than is read of it is the program's error", "[checkpoints]") {
+  Folder folder;
+  const Part part(*folder.open(resuming), "two");
+  CHECK(part.result<std::string>([] { return std::string("seven"); }) == "seven");
+  CHECK_THROWS_WITH(part.result<std::size_t>([] { return std::size_t{0}; }),
+                    "checkpoint 'two' holds more than is read of it");
 }
 
 TEST_CASE("a part continues from its last state", "[checkpoints]") {

@@ -55,8 +55,15 @@ TEST_CASE("the baseline is read back as it was written", "[evidence]") {
   CHECK((read[1].name == "bore" && read[1].set == "bzz-fig-12" && read[1].claim == "known" && read[1].kind == "bound"));
   CHECK((read[1].measured == 0.5 && read[1].uncertainty == 0.003 && read[1].expected == 1 && read[1].limit == 0.1));
   CHECK((read[1].band == 0.2 && read[1].verdict == "declared fail" && std::isnan(read[0].band)));
-  std::ofstream(file, std::ios::app) << "bore,,x,bound,one,,1,1,,pass\n";
-  CHECK_THROWS_WITH(evidence::read_recorded_claims(file), Contains("line 7: 'one'"));
+  for (const auto& [row, said] : {std::pair("bore,,x,bound,one,,1,1,,pass", "line 7: 'one' is not a number"),
+                                  std::pair("bore,,x,bound,1,,1,1m,,pass", "line 7: '1m' is not a number"),
+                                  std::pair("bore,,x,bound,1,,1,1,pass", "line 7: 9 entries, must be 10"),
+                                  std::pair("bore,,x,bound,1,,1,1,,pass,", "line 7: 11 entries, must be 10")}) {
+    std::ofstream(file) << csv << row << "\n";
+    CHECK_THROWS_WITH(evidence::read_recorded_claims(file), Contains(said));
+  }
+  std::ofstream(file).close();
+  CHECK_THROWS_WITH(evidence::read_recorded_claims(file), Contains("line 1: must be 'case,"));
   std::ofstream(file) << csv.substr(1);
   CHECK_THROWS_WITH(evidence::read_recorded_claims(file), Contains("line 1: must be 'case,"));
   std::filesystem::remove(file);

@@ -61,4 +61,32 @@ TEST_CASE("a grid whose arrays do not fit its cells is rejected with their numbe
   CHECK(panel.series().empty());
 }
 
+TEST_CASE("every kind of series keeps what it is given, in its own place", "[figure]") {
+  const std::vector<double> x{1, 2}, y{3, 4}, error{5, 6}, edges{7, 8, 9};
+  Panel panel({.x = "x", .y = "y"});
+  panel.line("a", x, y, Role::exact);
+  panel.points("b", x, y, Role::data, error);
+  panel.steps("c", edges, y, Role::peer);
+  panel.fill("d", x, y, Role::bed);
+  panel.vertical("e", x, Role::water);
+  const std::vector<Series> expected{{"a", Role::exact, Style::line, x, y, {}, {}, 0},
+                                     {"b", Role::data, Style::points, x, y, error, {}, 0},
+                                     {"c", Role::peer, Style::steps, edges, y, {}, {}, 0},
+                                     {"d", Role::bed, Style::fill, x, y, {}, {}, 0},
+                                     {"e", Role::water, Style::vertical, x, {}, {}, {}, 0}};
+  REQUIRE(panel.series().size() == expected.size());
+  for (std::size_t k = 0; k < expected.size(); ++k) {
+    const Series& found = panel.series()[k];
+    const Series& same = expected[k];
+    CHECK((found.label == same.label && found.role == same.role && found.style == same.style));
+    CHECK((found.x == same.x && found.y == same.y && found.y_error == same.y_error && found.z.empty()));
+    CHECK(found.row_points == 0);
+  }
+  CHECK_THROWS_WITH(panel.line("f", edges, y), "figure series 'f': 3 abscissae for 2 ordinates, must be 2");
+  CHECK_THROWS_WITH(panel.points("g", x, y, Role::data, edges), Catch::Contains("series 'g': 2 abscissae for 2"));
+  CHECK_THROWS_WITH(panel.steps("h", x, y), "figure series 'h': 2 abscissae for 2 ordinates, must be 3");
+  CHECK_THROWS_WITH(panel.fill("i", edges, y), Catch::Contains("series 'i': 3 abscissae for 2 ordinates"));
+  CHECK(panel.series().size() == expected.size());
+}
+
 }  // namespace seiche::verification::figure_test

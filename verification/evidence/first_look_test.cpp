@@ -1,6 +1,8 @@
 // Where an error is, and of what kind.
 #include <cmath>
 #include <functional>
+#include <map>
+#include <optional>
 
 #include "validation/scoring/first_look.hpp"
 #include "validation/scoring/score.hpp"
@@ -169,6 +171,121 @@ TEST_CASE("the claim that uses most of its limit decides, and the report's table
     CHECK(std::get<std::string>(table.rows[k].at(0)) == look[k].first);
     CHECK(std::get<std::string>(table.rows[k].at(1)) == look[k].second);
     if (look[k].first == "closest limit") CHECK(look[k].second.find("The wave is right.") != std::string::npos);
+  }
+}
+
+TEST_CASE("each line of the summary follows from the verdicts, the findings and the grids", "[evidence]") {
+  using evidence::Verdict;
+  using Look = std::map<std::string, std::string>;
+  const evidence::Criterion bound = Bound{1, "of this test"};
+  const evidence::Criterion measured =
+      evidence::Uncertainty{.data = 0.25, .input = 0, .useful = 1, .reason = "of this test"};
+  const auto claim = [](const std::string& id, const evidence::Criterion& criterion, Verdict verdict, double value,
+                        double limit, std::optional<double> uncertainty = {}) {
+    return evidence::JudgedClaim{{id, "It holds.", "depth", "m", "this test"},
+                                 criterion,
+                                 {verdict, value, uncertainty, 1, limit, "resolution of " + id, "note of " + id}};
+  };
+  const auto look = [](const std::vector<evidence::JudgedClaim>& claims, const std::vector<Finding>& findings = {},
+                       const std::optional<Ladder>& ladder = {}) {
+    evidence::Record record;
+    for (const evidence::JudgedClaim& one : claims) record.keep(one);
+    const FirstLook lines = first_look({}, {}, record, findings, ladder);
+    return Look(lines.begin(), lines.end());
+  };
+  const auto pass = claim("good", bound, Verdict::pass, 1.25, 1);
+  const auto close = claim("close", bound, Verdict::pass, 1.75, 1);
+  const auto fail = claim("bad", bound, Verdict::fail, -2, 1);
+  const auto open = claim("open", bound, Verdict::inconclusive, 1, 1);
+  const auto error = claim("lost", bound, Verdict::error, std::nan(""), 1);
+
+  const auto all = look({pass, fail, open, error});
+  CHECK(all.at("result") == "1 of 4 claims are met, 1 not met, 1 undecided, 1 in error");
+  CHECK(all.at("closest limit") == "It holds. error (lost: not found in the result)");
+  CHECK(all.at("likely cause") == "your result: the measured quantity is missing (resolution of lost)");
+  CHECK(look({pass, open, fail}).at("closest limit") == "It holds. fail (bad: error -3 m, limit 1 m)");
+  CHECK(look({close, open}).at("closest limit") == "It holds. inconclusive (open: error 0 m, limit 1 m)");
+  CHECK(look({pass, close}).at("closest limit") == "It holds. pass (close: error 0.75 m, limit 1 m)");
+  // Where nothing may differ, the difference itself.
+  for (const auto& [value, decides] : {std::pair(5.0, "zero"), std::pair(3.5, "bad")}) {
+    CHECK_THAT(look({fail, claim("zero", bound, Verdict::fail, value, 0)}).at("closest limit"),
+               Catch::Contains(decides));
+  }
+  CHECK(look({pass}).at("result") == "1 of 1 claims are met");
+
+  // What was not submitted.
+  const auto given = claim("wave-given", bound, Verdict::fail, 0.5, 0);
+  CHECK(look({pass, given}).at("result") == "1 of 2 claims are met, 1 not met, resolution of wave-given");
+  CHECK(look({fail, given}).at("next step") == "submit the rest: wave-given (resolution of wave-given)");
+  const auto covered = [&](Verdict verdict, double value) {
+    return look({pass, claim("wave-coverage", bound, verdict, value, 1)});
+  };
+  CHECK_THAT(covered(Verdict::fail, 0.5).at("result"), Catch::EndsWith("1 not met, resolution of wave-coverage"));
+  CHECK_THAT(covered(Verdict::fail, 0).at("result"), Catch::EndsWith("1 not met"));
+  CHECK(covered(Verdict::pass, 1).at("result") == "2 of 2 claims are met");
+  CHECK_THAT(covered(Verdict::fail, 0).at("next step"), Catch::StartsWith("submit the rest: wave-coverage"));
+
+  const auto cause = [&](const evidence::JudgedClaim& one, const std::vector<Finding>& findings = {}) {
+    return look({one}, findings).at("likely cause");
+  };
+  const std::vector<Finding> late{{"eta", "is late", 0.1}, {"u", "is early", 0.2}};
+  const std::string sizes = "run three or more cell sizes";
+  CHECK(cause(pass) == "none, all errors are within their limits");
+  CHECK(cause(pass, late) == "none within the limits of the scored claims");
+  CHECK(cause(open) == "undecided: note of open");
+  CHECK_THAT(cause(fail), Catch::StartsWith("your solver's or its set-up's, as the reference is exact"));
+  CHECK(cause(claim("a", measured, Verdict::pass, 1, 0.5, 0.1)) ==
+        "none: within the uncertainties of the data and of your result, 0.5 together");
+  CHECK(cause(claim("a", measured, Verdict::inconclusive, 1, 0.5, 0.1)) == "undecided: note of a");
+  CHECK(cause(claim("a", measured, Verdict::fail, 0, 0.5)) == "your solver's: note of a");
+  CHECK(cause(claim("a", measured, Verdict::fail, 0, 0.5, 0.1)) ==
+        "your solver's: an error of -1, which the uncertainties of the data and of your result (0.5 together) do not "
+        "explain");
+
+  CHECK(look({pass}).at("next step") == sizes + " (--sizes) to obtain the order of accuracy and the cost of 1 % error");
+  CHECK(look({pass}, {}, Ladder{}).at("next step") == "none, all claims are met");
+  CHECK(look({fail}).at("next step") == sizes + " and pass them with --sizes");
+  CHECK(look({pass}, late).at("next step") == "check the file: eta is late");
+  CHECK(look({pass}, late).at("start with") == "eta: your result is late");
+  CHECK(look({fail}, {}, Ladder{}).at("next step") == "inspect the figure of the quantity above");
+  CHECK_THAT(look({claim("a", measured, Verdict::inconclusive, 1, 0.5)}).at("next step"),
+             Catch::StartsWith("state an uncertainty small enough") && Catch::EndsWith("resolution of a"));
+  CHECK_THAT(look({claim("a", measured, Verdict::inconclusive, 1, 0.5, 0.1)}).at("next step"),
+             Catch::StartsWith(sizes));
+}
+
+TEST_CASE("the summary shows the group with the largest error over its reference", "[evidence]") {
+  std::vector<WantedTable> tables = wanted(evidence::Role::data);
+  tables.front().group = Column{"t", "s", "time"};
+  tables.front().groups = std::vector<double>{2, 3, 4};
+  tables.front().quantities.front().reference = [](Place p) { return p.group * std::sin(p.abscissa); };
+  const auto group = [](double t, double factor, std::size_t left_out = 0) {
+    SubmittedGroup one{.value = t};
+    for (std::size_t k = 0; k < places().size(); ++k) {
+      if (k % 2 == 1 && k <= 2 * left_out) continue;
+      one.abscissa.push_back(places()[k]);
+      one.values["eta"].push_back(factor * t * std::sin(places()[k]));
+    }
+    return one;
+  };
+  const auto look = [&](const std::vector<SubmittedGroup>& groups) {
+    evidence::Record record;
+    const Submitted all{{"wave", groups}};
+    score(tables, all, {}, record);
+    const FirstLook lines = first_look(tables, all, record, {}, {});
+    return std::map<std::string, std::string>(lines.begin(), lines.end());
+  };
+  // Of the largest error in m, 0.6 at t = 4, less is left over the reference than of 0.5 at t = 2.
+  const auto lines = look({group(2, 1.25), group(3, 1.1), group(4, 1.15)});
+  CHECK(lines.at("start with") == "figure wave-eta");
+  CHECK_THAT(lines.at("largest error"), Catch::StartsWith("eta, t = 2 s: largest at x = ") && Catch::Contains(" m, ") &&
+                                            Catch::Contains("0.5 m; "));
+  CHECK(lines.at("type of error") == "amplitude: 100 % of the squared error");
+  // Three quarters of the 201 points are 150.75.
+  for (const auto& [left_out, finer] : {std::pair(50, false), std::pair(51, true)}) {
+    const auto fewer = group(3, 1.1, static_cast<std::size_t>(left_out));
+    const std::string next = look({group(2, 1.25), fewer, group(4, 1)}).at("next step");
+    CHECK((next.find("a record has 150 points where 201 were measured") != std::string::npos) == finer);
   }
 }
 

@@ -1,26 +1,37 @@
 // Instruments that read a number off a series or a profile, on curves for which that number is known.
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
+#include "reports/evidence/grid_convergence.hpp"
 #include "seiche/samples.hpp"
+#include "validation/case/refinement.hpp"
 #include "validation/instruments/error_measures.hpp"
 #include "validation/instruments/fine_limit.hpp"
 #include "validation/instruments/harmonic_fit.hpp"
 #include "validation/instruments/mesh/crest_track.hpp"
 #include "validation/instruments/oscillation.hpp"
+#include "validation/instruments/particles/gauss_outline.hpp"
 #include "validation/instruments/peak.hpp"
+#include "validation/instruments/plan/oblique_wave.hpp"
+#include "validation/instruments/plan/row_crests.hpp"
+#include "validation/instruments/plan/wall_history.hpp"
+#include "validation/instruments/polyline_distance.hpp"
 #include "validation/instruments/straight_line.hpp"
 #include "validation/instruments/wave_statistics.hpp"
+#include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 #include "validation/studies/shallow_water/profile_measures.hpp"
 #include "validation/studies/shallow_water/riemann_profile.hpp"
 #include "verification/check.hpp"
+#include "verification/message_of.hpp"
 
 namespace seiche::verification::instruments_test {
 
 using namespace validation;
 
 constexpr double pi = std::numbers::pi;
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Claims that a number is what follows by hand.
 class Exactly {
@@ -175,6 +186,117 @@ TEST_CASE("errors of a profile equal their definitions", "[evidence]") {
           2, 1, 0, "a count");
   exactly("position", "The position of the step of equal volume is exact.", jump_position(smeared, 3, 1, 0, 5),
           (10.15 - 5) / 2, 10, 10, "a sum of five cells");
+}
+
+TEST_CASE("instruments reject what they cannot read a number off, and say what it is", "[evidence]") {
+  const auto said = [](const auto& action) { return message_of(action); };
+  const std::vector<double> none, two{0, 1}, five{0, 1, 2, 3, 4}, nodes(25, 0.5);
+  const Polyline point{{1}, {2}}, twice{{1, 1}, {2, 2}}, line{{0, 1}, {0, 0}};
+  for (const auto& [bad, why] : {std::pair(point, "needs at least two points"), std::pair(twice, "has no length")}) {
+    const std::string words = std::string("polyline_distance: a curve ") + why;
+    CHECK(said([&, one = bad] { polyline_distance({line}, {one}); }) == words);
+    CHECK(said([&, one = bad] { polyline_distance({one}, {line}); }) == words);
+  }
+  CHECK(said([&] { require_complete({.columns = 3, .rows = 4, .x = nodes, .y = nodes, .z = nodes}); }) ==
+        "surface grid of 3 by 4 cells: must be at least 4 by 4");
+  CHECK(said([&] { require_complete({.columns = 4, .rows = 3, .x = nodes, .y = nodes, .z = nodes}); }) ==
+        "surface grid of 4 by 3 cells: must be at least 4 by 4");
+  std::vector<double> infinite = nodes;
+  infinite[7] = std::numeric_limits<double>::infinity();
+  const std::vector<std::pair<std::string, SurfaceLattice>> grids{
+      {"x", {.columns = 4, .rows = 4, .x = infinite, .y = nodes, .z = nodes}},
+      {"y", {.columns = 4, .rows = 4, .x = nodes, .y = infinite, .z = nodes}},
+      {"z", {.columns = 4, .rows = 4, .x = nodes, .y = nodes, .z = infinite}}};
+  for (const auto& [name, grid] : grids) {
+    CHECK(said([&, one = grid] { require_complete(one); }) ==
+          "surface grid: " + name + " of node 7 is inf, must be finite");
+  }
+  CHECK(said([&] { require_complete({.columns = 4, .rows = 4, .x = nodes, .y = nodes, .z = five}); }) ==
+        "surface grid: z has 5 values, must have 25: one for each node");
+  CHECK(said([&] { gauss_particles::surface_contours(two, five, five, 1, 1); }) ==
+        "2 x, 5 y, 5 masses; allowed: as many of each");
+  CHECK(said([&] { gauss_particles::surface_contours(two, two, five, 1, 1); }) ==
+        "2 x, 2 y, 5 masses; allowed: as many of each");
+  CHECK(said([&] {
+          evidence::grid_convergence({1, 2}, {1, 2}, 2);
+        }) == "grid convergence: needs three or more different positive sizes with as many values, got 2 and 2");
+  for (const std::vector<double>& sizes : {std::vector<double>{1, 2, 2}, {1, 2, 0}, {1, 2, infinity}}) {
+    CHECK_THAT(said([&] { evidence::grid_convergence(sizes, {1, 2, 3}, 2); }), Catch::StartsWith("grid convergence"));
+  }
+  CHECK_THAT(said([&] { evidence::grid_convergence({1, 2, 4}, {1, 2}, 2); }), Catch::EndsWith("got 3 and 2"));
+  Refinement refinement;
+  refinement.add(8, {0.5, 0.25});
+  refinement.add(16, {0.125, 0.0625});
+  CHECK((refinement.on(8, 1) == 0.25 && refinement.on(16, 0) == 0.125 && refinement.finest(1) == 0.0625));
+  CHECK(message_of<std::logic_error>([&] { refinement.add(32, {1}); }) == "1 errors of 2 quantities");
+  CHECK(message_of<std::logic_error>([&] { return refinement.on(32, 0); }) == "no mesh of 32 cells");
+}
+
+TEST_CASE("a mesh is drawn by its columns and rows in the window, and a column more on each side", "[evidence]") {
+  // Five columns of two cells: six columns of nodes at x = 0 to 5, three rows at y = 0 to 2.
+  lagrangian_mesh_2d::Mesh mesh;
+  mesh.columns = 5;
+  mesh.rows = 2;
+  std::vector<double> x(18), y(18);
+  for (std::size_t i = 0; i <= 5; ++i) {
+    for (std::size_t j = 0; j <= 2; ++j) {
+      x[mesh.node(i, j)] = static_cast<double>(i);
+      y[mesh.node(i, j)] = static_cast<double>(j);
+    }
+  }
+  const auto drawn = [&](double begin, double end) {
+    evidence::Panel panel({.x = "x", .y = "y"});
+    draw_mesh(panel, "mesh", mesh, x, y, {begin, end});
+    return panel.series().front();
+  };
+  const evidence::Series part = drawn(2, 3);  // columns 2 and 3, with 1 and 4
+  CHECK(part.x == std::vector<double>{1, 1, 1, 2, 2, 2, 3, 3, 3, 4, 4, 4, 4, 3, 2, 1, 1, 2, 3, 4, 4, 3, 2, 1});
+  CHECK(part.y == std::vector<double>{0, 1, 2, 2, 1, 0, 0, 1, 2, 2, 1, 0, 0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2});
+  CHECK(drawn(-1, 9).x.size() == 6 * 3 + 3 * 6);
+  CHECK(drawn(0, 1).x.size() == 3 * 3 + 3 * 3);  // no column before the first
+  CHECK(message_of([&] { drawn(2.5, 3); }) == "fewer than two columns of the mesh between 2.5 and 3");
+  const evidence::Axes axes = mesh_axes("part", {2, infinity});
+  CHECK((axes.title == "part" && axes.equal_aspect && axes.x_min == 2.0 && !axes.x_max));
+}
+
+TEST_CASE("the limit of a wall amplitude is as uncertain as its last value and the rate of the theory", "[evidence]") {
+  // Exactly 1 - 0.3 exp(-t/100) until t = 600: the fit is exact, what the last value lacks is 0.3 exp(-6).
+  std::vector<double> time, amplitude;
+  for (int k = 1; k <= 600; ++k) {
+    time.push_back(k);
+    amplitude.push_back(1 - 0.3 * std::exp(-k / 100.0));
+  }
+  const double last = amplitude.back();
+  const WallLimit free = wall_limit(time, amplitude);
+  CHECK(free.amplitude.value == Approx(1).epsilon(1e-6));
+  CHECK(free.exponential.rate == Approx(0.01).epsilon(1e-4));
+  CHECK(free.amplitude.uncertainty.value() < 1e-6);
+  CHECK(free.amplitude.resolution == "until t = 600");
+  for (const double rate : {0.002, 0.005, 1.0}) {
+    const double settled = last / (1 - std::exp(-rate * 600));
+    CHECK(wall_limit(time, amplitude, rate).amplitude.uncertainty.value() ==
+          Approx(std::max(std::abs(settled - 1), 1 - last)).epsilon(1e-3));
+  }
+  CHECK(message_of([&] { wall_limit(time, amplitude, -1); }) ==
+        "wall history: rate = -1 is out of range: must be >= 0");
+  std::vector<double> wrong = time;
+  wrong[5] = wrong[4];
+  CHECK(message_of([&] { wall_limit(wrong, amplitude); }) == "wall history: time 5 after 5, must increase");
+  wrong[5] = infinity;
+  CHECK_THAT(message_of([&] { wall_limit(wrong, amplitude); }), Catch::EndsWith("at time inf is not finite"));
+}
+
+TEST_CASE("widths of an oblique wave are those of a wave of amplitude 0.3", "[evidence]") {
+  CHECK(ObliqueWave(0.3, 0.5).width_unit() == 1);
+  CHECK(ObliqueWave(0.075, 0.5).width_unit() == Approx(2).epsilon(1e-14));
+  const ObliqueWave wave(0.3, std::acos(0.8), 2);
+  CHECK(wave.elevation(2, 0, 0) == Approx(0.3).epsilon(1e-14));
+  // The crest at y is ahead by y tan psi, and moves along the wall with c/cos psi, c = sqrt(1 + a).
+  CHECK(wave.crest_at(4, 0) == Approx(2 + 4 * 0.75).epsilon(1e-14));
+  CHECK(wave.crest_at(0, 3) == Approx(2 + 3 * std::sqrt(1.3) / 0.8).epsilon(1e-14));
+  const auto top = wave.velocity(2, 0, 0);
+  CHECK(top.u / -top.v == Approx(0.8 / 0.6).epsilon(1e-12));
+  CHECK(wave.elevation(2 + wave.margin(), 0, 0) < 1e-5);
 }
 
 }  // namespace seiche::verification::instruments_test

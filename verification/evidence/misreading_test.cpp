@@ -2,8 +2,12 @@
 #include <cmath>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
+#include <fmt/format.h>
+
+#include "seiche/samples.hpp"
 #include "validation/scoring/diagnosis.hpp"
 #include "validation/scoring/misreading.hpp"
 #include "verification/check.hpp"
@@ -98,6 +102,65 @@ TEST_CASE("a misreading of a curve is found, with its factor or shift", "[eviden
   nothing("The diagnosis of the reference itself is empty.", reference);
   nothing("A difference below 1 % of the range is not diagnosed.", sampled([](double t) { return gauge(t) + 0.002; }));
   nothing("Noise is not attributed to a single change.", noisy);
+}
+
+TEST_CASE("a change is looked for in ten points or more that differ by more than 1 % of the range", "[evidence]") {
+  const Points reference = sampled(gauge);
+  const double range = largest(reference.y) - smallest(reference.y);
+  for (const auto& [share, found] : {std::pair(0.0099, false), std::pair(0.0101, true)}) {
+    CHECK(misreading(sampled([&, by = share * range](double t) { return gauge(t) + by; }).curve(), reference.curve())
+              .has_value() == found);
+  }
+  for (const auto& [last, found] : {std::pair(8 * spacing, false), std::pair(9 * spacing, true)}) {
+    const Points few = sampled([](double t) { return std::sin(10 * t); }, last);
+    const Points turned = sampled([](double t) { return -std::sin(10 * t); }, last);
+    CHECK(misreading(turned.curve(), few.curve()).has_value() == found);
+  }
+  // As many where the reference is known but the submitted curve ends.
+  const Points turned = sampled([](double t) { return -gauge(t); }, 8 * spacing);
+  CHECK_FALSE(misreading(turned.curve(), reference.curve()));
+  CHECK(misfit(sampled([](double t) { return gauge(t) + 0.25; }).curve(), reference.curve()) ==
+        Approx(0.25).epsilon(1e-12));
+}
+
+TEST_CASE("every misreading is said in words, with its number, its unit and its sense", "[evidence]") {
+  const auto words = [](Kind kind, double amount, const std::string& unit = "m", const std::string& abscissa = "s") {
+    return Misreading{kind, amount, 0.1}.words(unit, abscissa);
+  };
+  for (const auto& [factor, unit, name] :
+       {std::tuple(1000.0, "m", "millimetres for metres"), std::tuple(100.0, "m", "centimetres for metres"),
+        std::tuple(3.28084, "m", "feet for metres"), std::tuple(0.001, "m", "kilometres for metres"),
+        std::tuple(100.0, "m/s", "centimetres per second for metres per second"),
+        std::tuple(0.001, "Pa", "kilopascals for pascals"), std::tuple(0.01, "Pa", "hectopascals for pascals"),
+        std::tuple(1000.0, "s", "milliseconds for seconds"), std::tuple(10.0, "m", "a unit that is 10 times smaller"),
+        std::tuple(9.81, "m/s", "a unit that is 9.81 times smaller"),
+        std::tuple(0.1, "Pa", "a unit that is 0.1 times smaller"),
+        std::tuple(1000.0, "Pa", "a unit that is 1000 times smaller"),
+        std::tuple(0.01, "s", "a unit that is 0.01 times smaller")}) {
+    CHECK(unit_mistaken(factor, unit) == name);
+    CHECK(words(Kind::unit, factor, unit) == fmt::format("fits the reference divided by {:g}: {}?", factor, name));
+  }
+  CHECK(unit_mistaken(104.9, "m") == "centimetres for metres");
+  CHECK(unit_mistaken(95.1, "m") == "centimetres for metres");
+  for (const double no_unit : {105.1, 94.9, 1.0, 60.0}) CHECK(unit_mistaken(no_unit, "m").empty());
+  CHECK(words(Kind::abscissa, 1.0 / 60) ==
+        "fits the reference with its abscissa divided by 0.0166667: minutes for seconds?");
+  CHECK(words(Kind::abscissa, 1000, "Pa", "m") ==
+        "fits the reference with its abscissa divided by 1000: millimetres for metres?");
+  CHECK(words(Kind::inverted, 0) == "fits the reference with reversed sign");
+  CHECK(words(Kind::backwards, 0) == "fits the reference read backwards: its axis points the other way");
+  CHECK(words(Kind::level, 0.5, "Pa") == "lies 0.5 Pa higher than the reference everywhere: another datum?");
+  CHECK(words(Kind::level, -0.5, "1") == "lies 0.5 lower than the reference everywhere: another datum?");
+  CHECK(words(Kind::shift, 0.5) == "fits the reference 0.5 s earlier: another origin?");
+  CHECK(words(Kind::shift, -0.5, "Pa", "m") == "fits the reference 0.5 m later: another origin?");
+  CHECK(words(Kind::slow, 0.125) ==
+        "runs 12.5 % slower than the reference: it fits with its abscissa divided by 1.125");
+  CHECK(words(Kind::slow, -0.125) ==
+        "runs 12.5 % faster than the reference: it fits with its abscissa divided by 0.875");
+  CHECK(words(Kind::scaled, 1.25) == "fits the reference divided by 1.25: its amplitude is wrong");
+  CHECK(words(Kind::smeared, -0.12) == "is the reference smeared over 12 % of its length: too coarse, or too viscous");
+  CHECK(words(Kind::dying, 1) == "dies away along the way: by a factor of 0.368 from beginning to end");
+  CHECK(words(Kind::dying, -1) == "grows along the way: by a factor of 2.72 from beginning to end");
 }
 
 TEST_CASE("the diagnosis names gauges that are exchanged or cut short, and says one thing once", "[evidence]") {

@@ -182,6 +182,49 @@ TEST_CASE("a source with a key that is not known, or of another type, is rejecte
   CHECK(refused("colour = \"blue\"\n") == file + ": colour is not known");
   CHECK(refused("what = 1\n") == file + ": what has the wrong type");
   CHECK(refused("units = \"m\"\n") == file + ": units must be a table");
+  CHECK(refused("units = {x = 1}\n") == file + ": units.x must be a string");
+  CHECK(refused("parameters = \"x\"\n") == file + ": parameters must be an array of strings");
+  CHECK(refused("parameters = [\"x\", 1]\n") == file + ": parameters must be an array of strings");
+  CHECK(refused("codes = {x = 1}\n") == file + ": codes.x must be a table");
+  CHECK(refused("codes = {x = {a = 1}}\n") == file + ": a has the wrong type");
+  CHECK(refused("standard_uncertainty = {x = {value = 1.0, colour = 1}}\n") == file + ": colour is not known");
+  CHECK(message_of([&] { validation::reference_source(folder.path() / "none"); }) ==
+        (folder.path() / "none" / "source.toml").string() + " does not exist");
+}
+
+TEST_CASE("every key of a source is read into its own member, and what is not stated is empty", "[evidence]") {
+  const ScratchFolder folder("seiche_reference_source");
+  std::ofstream(folder.path() / "source.toml") << R"(citation = "a"
+what = "b"
+obtained = "c"
+licence = "d"
+uncertainty = "q"
+uncertainty_reason = "e"
+remarks = "f"
+recorded = "g"
+sha256 = "h"
+abscissa = ["i", "j"]
+abscissa_repeats = true
+group = ["m"]
+parameters = ["k", "l"]
+units = {x = "m"}
+codes = {x = {"1" = "n"}}
+[standard_uncertainty]
+x = {value = 0.25, relative = true, assumed = false, reason = "o"}
+y = {reason = "p"}
+)";
+  const validation::ReferenceSource s = validation::reference_source(folder.path());
+  CHECK((s.citation == "a" && s.what == "b" && s.obtained == "c" && s.licence == "d" && s.uncertainty == "q"));
+  CHECK((s.uncertainty_reason == "e" && s.remarks == "f" && s.recorded == "g" && s.sha256 == "h"));
+  CHECK((s.abscissa == std::vector<std::string>{"i", "j"} && s.abscissa_repeats));
+  CHECK(s.group == std::vector<std::string>{"m"});
+  CHECK(s.parameters == std::vector<std::string>{"k", "l"});
+  CHECK((s.units.at("x") == "m" && s.units.size() == 1 && s.codes.at("x").at("1") == "n"));
+  const auto& x = s.standard_uncertainty.at("x");
+  const auto& y = s.standard_uncertainty.at("y");
+  CHECK((x.value == 0.25 && x.relative && !x.assumed && x.reason == "o"));
+  CHECK((y.value == 0 && !y.relative && y.assumed && y.reason == "p"));
+  CHECK_FALSE(validation::ReferenceSource{}.abscissa_repeats);
 }
 
 }  // namespace seiche::verification::reference_data_test

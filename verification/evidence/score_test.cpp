@@ -1,8 +1,12 @@
 // Scoring by declaration: profiles at several times, and single numbers with uncertainties.
 #include <cmath>
+#include <map>
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <variant>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -198,6 +202,115 @@ TEST_CASE("an arrival is measured where something arrives", "[evidence]") {
   check.holds("A falling series has no arrival time.",
               {static_cast<double>(measured(0.5 * pi).count("eta_arrival_error"))},
               Qualitative{"a measurement eta_arrival_error", "nothing arrives", false});
+}
+
+TEST_CASE("every measure of a curve follows by hand, with the uncertainty that is stated of its column", "[evidence]") {
+  const std::vector<double> x{0, 1, 2, 3}, r{0, 2, -1, 1}, s{0, 2.5, -1, 1.25};
+  struct Row {
+    Measure measure;
+    std::string id, name, unit;
+    double value, uncertainty;
+  };
+  const double u = 0.1, u_x = 0.25, l2 = std::sqrt(6);
+  const std::vector<Row> rows{
+      {Measure::largest_error, "largest_error", "largest error", "m", 0.5, u},
+      {Measure::relative_l1, "relative_l1", "relative L1 error", "1", 0.75 / 4, u / (4.0 / 4)},
+      {Measure::relative_l2, "relative_l2", "relative L2 error", "1", std::sqrt(0.3125) / l2, u / (l2 / 2)},
+      {Measure::relative_linf, "relative_linf", "relative Linf error", "1", 0.5 / 2, u / 2},
+      {Measure::amplitude_ratio, "amplitude_ratio", "amplitude ratio", "1", 3.5 / 3, std::sqrt(2) * u / 3},
+      {Measure::peak_error, "peak_error", "error of the peak", "m", 0.5, u},
+      {Measure::peak_shift, "peak_shift", "shift of the peak", "s", 0, u_x},
+      {Measure::arrival_error, "arrival_error", "error of arrival", "s", 0.2 / 2.5 - 0.2 / 2, u_x},
+      {Measure::skill, "skill", "Willmott's index of agreement", "1", 1 - 0.3125 / 23.8125, 0}};
+  WantedTable gauge{.name = "gauge",
+                    .kind = WantedTable::Kind::series,
+                    .abscissa = Column{"t", "s", "time"},
+                    .quantities = {{.column = {"eta", "m", "elevation"},
+                                    .reference = [r](Place p) { return r[static_cast<std::size_t>(p.abscissa)]; }}},
+                    .points = [x](double) { return x; },
+                    .reference_role = Role::data};
+  for (const Row& row : rows) {
+    gauge.quantities.front().requirements.push_back(
+        {row.measure,
+         evidence::Uncertainty{.expected = 7, .data = 1, .useful = 99, .reason = "of this test", .coverage = 3},
+         "text of " + row.id, "source of " + row.id});
+  }
+  const Submitted all{{"gauge", {{.value = 0, .abscissa = x, .values = {{"eta", s}}}}}};
+  const std::vector<std::map<std::string, StatedUncertainty>> alike{
+      {{"eta", {u}}, {"t", {u_x}}},
+      {{"eta", uncertainty_from("eta", "5%")}, {"t", {.value = u_x / 3, .relative = true}}},
+      {{"eta", {.value = 0.06, .scatter = 0.08}}, {"t", {.value = 0, .scatter = u_x}}}};
+  for (const auto& uncertainty : alike) {
+    evidence::Record record;
+    record.solver = "other";
+    score({gauge}, all, uncertainty, record);
+    REQUIRE(record.claims().size() == rows.size() + 1);
+    CHECK((record.claims()[0].claim.id == "gauge-coverage" && record.claims()[0].judgement.measured == 1));
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      const auto& [claim, criterion, judgement, known] = record.claims()[k + 1];
+      const Row& row = rows[k];
+      INFO(row.id);
+      CHECK((claim.id == "eta-" + row.id && claim.quantity == row.name + " of eta" && claim.unit == row.unit));
+      CHECK((claim.text == "text of " + row.id && claim.source == "source of " + row.id));
+      CHECK(judgement.measured == Approx(row.value).margin(1e-14));
+      CHECK(judgement.uncertainty.value() == Approx(3 * row.uncertainty).epsilon(1e-14));
+      CHECK(judgement.limit == Approx(3 * std::hypot(1, row.uncertainty)).epsilon(1e-14));
+      CHECK(record.measurements().at("eta_" + row.id) == judgement.measured);
+    }
+    const evidence::Table& table = record.tables().front();
+    CHECK(table.id == "gauge-measures");
+    const auto at = [&](std::size_t k) { return std::get<double>(table.rows.front().at(k)); };
+    const std::vector<std::pair<std::string, double>> entries{{"points", 4},
+                                                              {"coverage", 1},
+                                                              {"relative L1", rows[1].value},
+                                                              {"relative L2", rows[2].value},
+                                                              {"relative Linf", 0.25},
+                                                              {"skill", rows[8].value},
+                                                              {"amplitude ratio", rows[4].value}};
+    for (std::size_t k = 0; k < entries.size(); ++k) {
+      CHECK((table.columns.at(k + 2).first == entries[k].first && at(k + 2) == Approx(entries[k].second)));
+    }
+    CHECK((table.columns.back().first == "error of the peak" && at(table.columns.size() - 1) == 0.5));
+    const evidence::Panel& panel = record.figures().front().panels().front();
+    CHECK(
+        (panel.axes().x == "t [s]" && panel.axes().y == "elevation eta [m]" && record.figures().front().id == "gauge"));
+    REQUIRE(panel.series().size() == 2);
+    CHECK((panel.series()[0].label == "reference" && panel.series()[0].x == x && panel.series()[0].y == r));
+    CHECK((panel.series()[1].label == "submitted" && panel.series()[1].x == x && panel.series()[1].y == s));
+  }
+  evidence::Record unstated;
+  score({gauge}, all, {}, unstated);
+  for (const auto& one : unstated.claims()) {
+    if (one.claim.id != "eta-skill") CHECK_FALSE(one.judgement.uncertainty.has_value());
+  }
+}
+
+TEST_CASE("six groups at most are drawn, each in a panel with its own curve", "[evidence]") {
+  const std::vector<double> x{0, 1};
+  WantedTable wave{.name = "wave",
+                   .kind = WantedTable::Kind::profile,
+                   .group = Column{"t", "s", "time"},
+                   .abscissa = Column{"x", "m", "position"},
+                   .quantities = {{.column = {"eta", "m", "elevation"},
+                                   .reference = [](Place p) { return 10 * p.group + p.abscissa; }}},
+                   .groups = std::vector<double>{1, 2, 3, 4, 5, 6, 7},
+                   .points = [x](double) { return x; },
+                   .reference_role = Role::data};
+  std::vector<SubmittedGroup> groups;
+  for (const double t : *wave.groups) groups.push_back({.value = t, .abscissa = x, .values = {{"eta", {t, t + 0.5}}}});
+  evidence::Record record;
+  record.solver = "other";
+  score({wave}, {{"wave", groups}}, {}, record);
+  REQUIRE(record.figures().size() == 1);
+  CHECK((record.figures().front().id == "wave-eta" && record.figures().front().panels().size() == 6));
+  for (std::size_t k = 0; k < 6; ++k) {
+    const evidence::Panel& panel = record.figures().front().panels()[k];
+    const double t = static_cast<double>(k) + 1;
+    CHECK(panel.axes().title == fmt::format("t = {:g} s", t));
+    CHECK((panel.series()[0].y == std::vector<double>{10 * t, 10 * t + 1}));
+    CHECK((panel.series()[1].y == std::vector<double>{t, t + 0.5}));
+  }
+  CHECK(record.measurements().at("eta_largest_error_t_7") == 71 - 7.5);
 }
 
 }  // namespace seiche::verification::score_test

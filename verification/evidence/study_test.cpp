@@ -150,9 +150,11 @@ TEST_CASE("a claim that does not apply is listed with its reason and not evaluat
 }
 
 TEST_CASE("a case that declares a claim twice or has no claims is rejected before it computes", "[study]") {
-  for (const char* what : {"twice", "nothing", "all left out"}) {
-    CHECK_THROWS_AS(Study(claims, compute, show).claims(run_of(what)), std::logic_error);
-    CHECK_THROWS_AS(record_of(what), std::logic_error);
+  for (const auto& [what, said] : {std::pair("twice", "claim 'depth' is declared twice"),
+                                   std::pair("nothing", "the case makes no claim at these parameters"),
+                                   std::pair("all left out", "the case makes no claim at these parameters")}) {
+    CHECK_THROWS_WITH(Study(claims, compute, show).claims(run_of(what)), said);
+    CHECK_THROWS_WITH(record_of(what), said);
   }
 }
 

@@ -225,4 +225,19 @@ TEST_CASE("a run that broke down is never as declared", "[record]") {
   CHECK_FALSE(record.as_declared());
 }
 
+TEST_CASE("what a criterion does not state is one operation, size 1, expected 0, coverage 2", "[evidence]") {
+  const double epsilon = std::numeric_limits<double>::epsilon();
+  const auto judged = [](const Criterion& criterion) { return judge({.value = 0.5, .uncertainty = 0}, criterion); };
+  CHECK((judged(Roundoff{.reason = "r"}).limit == 4 * epsilon && judged(Roundoff{.reason = "r"}).expected == 0));
+  CHECK((judged(Bound{.reason = "r"}).limit == 0 && judged(Bound{.reason = "r"}).expected == 0));
+  const Judgement uncertain = judged(Uncertainty{.data = 0.5, .useful = 9, .reason = "r"});
+  CHECK((uncertain.limit == 1 && uncertain.expected == 0));
+  CHECK(judged(Uncertainty{.input = 0.25, .useful = 9, .reason = "r"}).limit == 0.5);
+  CHECK(judged(Uncertainty{.data = 0.5, .reason = "r"}).verdict == Verdict::inconclusive);
+  CHECK(judged(Qualitative{.detector = "d", .reason = "r"}).expected == 1);
+  CHECK((Order{}.theory == 2 && Order{}.tolerance == 0.1));
+  const KnownFailure zero{.reason = "r"};
+  CHECK((zero.holds(0) && !zero.holds(1e-300) && !zero.holds(-1e-300)));
+}
+
 }  // namespace seiche::verification::verdict_test
