@@ -286,7 +286,7 @@ TEST_CASE("the limit of a wall amplitude is as uncertain as its last value and t
   CHECK_THAT(message_of([&] { wall_limit(wrong, amplitude); }), Catch::EndsWith("at time inf is not finite"));
 }
 
-TEST_CASE("widths of an oblique wave are those of a wave of amplitude 0.3", "[evidence]") {
+TEST_CASE("an oblique wave has the widths of a wave of amplitude 0.3", "[evidence]") {
   CHECK(ObliqueWave(0.3, 0.5).width_unit() == 1);
   CHECK(ObliqueWave(0.075, 0.5).width_unit() == Approx(2).epsilon(1e-14));
   const ObliqueWave wave(0.3, std::acos(0.8), 2);
