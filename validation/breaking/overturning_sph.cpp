@@ -136,20 +136,20 @@ Results compute(const Run& run) {
     return std::lround(run.number("columns") * std::pow(0.5, 0.5 * static_cast<double>(lattices - 1 - lattice)) /
                        std::cbrt(work));
   };
-  const auto turned = [&](const SphOverturning& setup, const std::vector<double>& at, long watched,
-                          const std::string& name) {
-    return run.part(name).result<SphOverturned>([&] { return overturn(setup, at, overhang, watched, run.part(name)); });
+  const auto turned = [&](const SphOverturning& setup, const std::string& name, bool landed) {
+    return run.part(name).result<SphOverturned>(
+        [&] { return overturn(setup, until_landed, overhang, 150, run.part(name), landed); });
   };
   climb(run, lattices + variants.size(), [&](std::size_t k) {
     if (k >= variants.size()) {
       const std::size_t lattice = k - variants.size();
-      r.runs[lattice] = turned({.wave = wave, .columns = columns(lattice), .settings = settings_of(run)}, until_landed,
-                               150, fmt::format("L/{}", columns(lattice)));
+      r.runs[lattice] = turned({.wave = wave, .columns = columns(lattice), .settings = settings_of(run)},
+                               fmt::format("L/{}", columns(lattice)), true);
     } else {
       wcsph::Settings changed = settings_of(run);
       variants[k].change(changed);
       r.others[k] = turned({.wave = wave, .columns = columns(halved, variants[k].work), .settings = changed},
-                           until_landed, 150, variants[k].name);
+                           variants[k].name, false);
     }
   });
   measure_distances(r);

@@ -116,7 +116,7 @@ void exchange(Tape& tape, SphOverturned& r) {
 }
 
 SphOverturned overturn(const SphOverturning& setup, const std::vector<double>& times, double overhang, long watched,
-                       Part part) {
+                       Part part, bool landed) {
   wcsph::Scene scene = scene_of(setup);
   wcsph::Settings settings = setup.settings;
   settings.period = scene.period;
@@ -160,6 +160,7 @@ SphOverturned overturn(const SphOverturning& setup, const std::vector<double>& t
     }
     if (watch > flow.time()) march(flow, watch);
     look();
+    if (!landed && next + 1 >= times.size() && std::isfinite(result.touches)) break;
   }
   result.steps = flow.steps();
   result.extremes = flow.extremes();

@@ -67,8 +67,9 @@ struct SphOverturned {
 /// @param overhang  [m] by which the front must hang over to count
 /// @param watched   instants in between at which overhang and cavity are looked for
 /// @param part      of the case's run that this is
+/// @param landed    whether the run goes on to the last of the times after the jet has touched: its spray may break up
 SphOverturned overturn(const SphOverturning& setup, const std::vector<double>& times, double overhang, long watched,
-                       Part part);
+                       Part part, bool landed = true);
 void exchange(Tape& tape, SphOverturned& result);
 void exchange(Tape& tape, Polyline& line);
 
