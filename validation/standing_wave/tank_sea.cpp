@@ -153,7 +153,7 @@ void claims(const Values& values, const Claims<Results>& all, const Comparison& 
              "rms error of the surface over the amplitude", error_of_finest,
              Bound{.limit = 0.1 * apart,
                    .reason = "the dispersion relation gives the lag of each wave; the error of linear theory itself, "
-                             "4 % of the amplitude, is a tenth of it",
+                             "at most 4 % of the amplitude, is a tenth of it",
                    .expected = apart});
   claim_energy(claims_of(claims, "particles"), particles, end * values.number("particles") / 0.15, 2,
                "one rounding per step of the kinetic and of the potential energy",
