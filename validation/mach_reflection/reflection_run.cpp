@@ -12,6 +12,7 @@
 #include "seiche/divergence.hpp"
 #include "seiche/exact/mach_reflection.hpp"
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 #include "seiche/samples.hpp"
 #include "validation/instruments/agreement.hpp"
 
@@ -103,9 +104,7 @@ Reflection follow(Flow& flow, const ReflectionRun& run, const std::function<void
 }  // namespace
 
 WaveModel wave_model_named(std::string_view name) {
-  if (name == "plan") return WaveModel::plan;
-  if (name == "hexahedra") return WaveModel::hexahedra;
-  throw std::invalid_argument(fmt::format("model = {}: must be one of plan, hexahedra", name));
+  return value_named<WaveModel>("model", name, {{"plan", WaveModel::plan}, {"hexahedra", WaveModel::hexahedra}});
 }
 
 double degrees(double radians) {

@@ -2,26 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
-#include <fmt/format.h>
-
+#include "seiche/require_that.hpp"
 #include "seiche/simd_clones.hpp"
 
 namespace seiche::mechanics {
 
 Stepping stepping_named(std::string_view name) {
-  if (name == "one_step") return Stepping::one_step;
-  if (name == "one_step_feedback") return Stepping::one_step_feedback;
-  if (name == "conservative") return Stepping::conservative;
-  throw std::invalid_argument(fmt::format("scheme = \"{}\"; allowed: one_step, one_step_feedback, conservative", name));
+  using enum Stepping;
+  return value_named<Stepping>(
+      "scheme", name,
+      {{"one_step", one_step}, {"one_step_feedback", one_step_feedback}, {"conservative", conservative}});
 }
 
 TimeComposition composition_named(std::string_view name) {
-  if (name == "none") return TimeComposition::none;
-  if (name == "triple_jump") return TimeComposition::triple_jump;
-  if (name == "suzuki") return TimeComposition::suzuki;
-  throw std::invalid_argument(fmt::format("composition = \"{}\"; allowed: none, triple_jump, suzuki", name));
+  using enum TimeComposition;
+  return value_named<TimeComposition>("composition", name,
+                                      {{"none", none}, {"triple_jump", triple_jump}, {"suzuki", suzuki}});
 }
 
 namespace {

@@ -15,9 +15,7 @@ namespace seiche::overlapping_particles {
 using std::numbers::pi;
 
 Shape shape_named(std::string_view name) {
-  if (name == "smoothed") return Shape::smoothed;
-  if (name == "ball") return Shape::ball;
-  throw std::invalid_argument(fmt::format("shape = \"{}\"; allowed: smoothed, ball", name));
+  return value_named<Shape>("shape", name, {{"smoothed", Shape::smoothed}, {"ball", Shape::ball}});
 }
 
 Kernel::Kernel(Shape shape, double support) : shape_(shape), support_(support) {

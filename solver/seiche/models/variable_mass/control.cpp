@@ -175,11 +175,9 @@ const Mesh& valid(const Mesh& mesh) {
 }  // namespace
 
 ControlKind control_named(std::string_view name) {
-  if (name == "none") return ControlKind::none;
-  if (name == "centroid") return ControlKind::centroid;
-  if (name == "mapped") return ControlKind::mapped;
-  if (name == "fixed_x") return ControlKind::fixed_x;
-  throw std::invalid_argument(fmt::format("control = \"{}\"; allowed: none, centroid, mapped, fixed_x", name));
+  using enum ControlKind;
+  return value_named<ControlKind>("control", name,
+                                  {{"none", none}, {"centroid", centroid}, {"mapped", mapped}, {"fixed_x", fixed_x}});
 }
 
 ControlVelocity::ControlVelocity(const Mesh& rest, Control control)

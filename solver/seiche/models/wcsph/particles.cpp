@@ -114,14 +114,8 @@ long steps_between(const Place& from, const Place& to, double spacing) {
 }  // namespace
 
 Lattice lattice_named(std::string_view name) {
-  for (const Lattice lattice : {Lattice::square, Lattice::body_centred}) {
-    if (name == name_of(lattice)) return lattice;
-  }
-  throw std::invalid_argument(fmt::format("lattice = '{}': must be square or body_centred", name));
-}
-
-std::string_view name_of(Lattice lattice) {
-  return lattice == Lattice::square ? "square" : "body_centred";
+  using enum Lattice;
+  return value_named<Lattice>("lattice", name, {{"square", square}, {"body_centred", body_centred}});
 }
 
 double area_per_particle(Lattice lattice) {

@@ -78,7 +78,6 @@ enum class Lattice { square, body_centred };
 
 /// "square" or "body_centred"; throws std::invalid_argument naming those that exist.
 Lattice lattice_named(std::string_view name);
-std::string_view name_of(Lattice lattice);
 
 /// Area of the plane that belongs to one particle, as a part of dx^2.
 double area_per_particle(Lattice lattice);

@@ -1,12 +1,10 @@
 #include "seiche/models/wcsph/settings.hpp"
 
 #include <cmath>
-#include <stdexcept>
 #include <string_view>
 
-#include <fmt/format.h>
-
 #include "seiche/require.hpp"
+#include "seiche/require_that.hpp"
 
 namespace seiche::wcsph {
 namespace {
@@ -18,11 +16,8 @@ void validate_period(std::string_view name, double length) {
 }  // namespace
 
 KernelName kernel_named(std::string_view name) {
-  for (const KernelName kernel : {KernelName::cubic_spline, KernelName::wendland_c2}) {
-    if (name == name_of(kernel)) return kernel;
-  }
-  throw std::invalid_argument(
-      fmt::format(R"(kernel = "{}" does not exist: must be "cubic_spline" or "wendland_c2")", name));
+  using enum KernelName;
+  return value_named<KernelName>("kernel", name, {{"cubic_spline", cubic_spline}, {"wendland_c2", wendland_c2}});
 }
 
 std::string_view name_of(KernelName kernel) {
