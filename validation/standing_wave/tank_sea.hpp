@@ -1,4 +1,5 @@
-/// Waves of many lengths in a tank, computed with six models beside the exact flow. Depth, gravity and density are 1.
+/// Waves of many lengths in a tank, computed with six models beside the exact flow; over bars with the three that can
+/// follow them. Depth, gravity and density are 1.
 #pragma once
 
 #include <string>
@@ -16,19 +17,24 @@ struct Comparison {
   double end = 1;                      ///< when errors are compared
   double last = 1;                     ///< until which the models are followed
   std::string instant;                 ///< "at the focus"
-  double resolved = 0.25;              ///< share of linear theory's error below which the nonlinearity is resolved
+  double resolved = 0.25;              ///< share of the yardstick below which a model resolves what it measures
   double soon = 10;                    ///< longer runs differ from linear theory by less than the grids' phase errors
   bool tangles = false;                ///< the mesh, before the end, of waves that are not higher than others
+
+  [[nodiscard]] bool barred() const { return sea.bar_height > 0; }
 };
 
 struct Results {
   Contest contest;
-  double linear = 0;   ///< rms of linear theory from the exact surface at the end, over the amplitude
+  /// What a model is to resolve: rms of the difference, at the end, of the exact surface from linear theory, or over
+  /// bars from the exact surface without them; over the amplitude.
+  double yardstick = 0;
   double highest = 0;  ///< of the exact surface at the end, over the amplitude
 };
 
-/// A case's own parameters and the sizes of the six models. @param mesh  rows of the finest mesh
-std::vector<Parameter> with_sizes(std::vector<Parameter> own, ByTier<long> mesh);
+/// A case's own parameters and the sizes of the six models, or of the three that can follow bars.
+/// @param mesh  rows of the finest mesh
+std::vector<Parameter> with_sizes(std::vector<Parameter> own, ByTier<long> mesh, bool barred = false);
 
 void claims(const Values& values, const Claims<Results>& all, const Comparison& comparison, const std::string& source);
 

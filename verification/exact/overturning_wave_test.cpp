@@ -220,4 +220,75 @@ TEST_CASE("waves in a tank agree with linear theory while they are low", "[exact
              Bound{0.1, "the next term is of the order of k a = 0.05", 2});
 }
 
+TEST_CASE("waves over bars keep to the bottom and have the frequency of Bragg's law", "[exact]") {
+  Check check(
+      "exact_waves_over_bars", "Waves in a tank over bars",
+      "The bottom is a trochoid, to which the velocities at the start keep. The frequency of standing waves with "
+      "two bars to a wavelength differs from that over a level bottom by what first-order theory gives.",
+      "C. C. Mei, Resonant reflection of surface water waves by periodic sandbars, J. Fluid Mech. 152 (1985) 315");
+  using exact::WavesInTank;
+  const WavesInTank sea({.last = 8, .peak = 3, .seed = 5, .bar_height = 0.3, .bars = 6, .last_time = 2});
+  Worst bottom, gradient, through;
+  for (const double s : {0.1, 0.7, 1.3, 2.9, 4.4}) {
+    const auto [elevation, slope, curvature] = sea.bottom(s - 0.15 * std::sin(std::numbers::pi * s));
+    bottom.add(elevation - (0.15 * std::cos(std::numbers::pi * s) - 1));
+    bottom.add(slope -
+               difference([&](double d) { return sea.bottom(s - 0.15 * std::sin(std::numbers::pi * s) + d).elevation; },
+                          1e-3));
+    bottom.add(
+        curvature -
+        difference([&](double d) { return sea.bottom(s - 0.15 * std::sin(std::numbers::pi * s) + d).slope; }, 1e-3));
+    const auto below = sea.linear(s, sea.bottom(s).elevation, 0);
+    through.add((below.velocity.v - sea.bottom(s).slope * below.velocity.u) / 0.1);
+    through.add(below.discharge / 0.1);
+    const double y = 0.5 * sea.bottom(s).elevation;
+    const auto here = sea.linear(s, y, 0);
+    gradient.add(difference([&](double d) { return sea.linear(s + d, y, 0).potential; }, 1e-3) - here.velocity.u);
+    gradient.add(difference([&](double d) { return sea.linear(s, y + d, 0).potential; }, 1e-3) - here.velocity.v);
+  }
+  check.that("bottom", "The bottom is the trochoid, with its slope and second derivative.",
+             "largest departure from the trochoid and from differences", {bottom.value()},
+             Bound{1e-8, "fourth-order differences of step 0.001 of a curve whose fifth derivative is below 1e4"});
+  check.that("through", "No water crosses the bottom at the start.", "largest velocity across over the amplitude",
+             {through.value()}, Bound{1e-13, "rounding of eight modes and of Newton's iteration"});
+  check.that("gradient", "The velocities at the start are the gradient of the potential.", "largest departure [m/s]",
+             {gradient.value()}, Bound{1e-10, "fourth-order differences of step 0.001, rounding over it"});
+  self_test_holds(check, "bars", sea);
+
+  const double k = std::numbers::pi / 2;
+  const auto frequency_squared = [&](double height) {
+    const WavesInTank wave({.amplitude = 1e-3,
+                            .gravity = 1,
+                            .first = 3,
+                            .last = 3,
+                            .bar_height = height,
+                            .bars = 6,
+                            .markers = 64,
+                            .last_time = 1.6});
+    const auto mode = [&](double t) {
+      const auto [time, x, y, potential, u, v] = wave.profile(t);
+      double sum = 0;
+      for (std::size_t j = 0; j < x.size(); ++j) {
+        const std::size_t next = (j + 1) % x.size();
+        const double width = x[next] - x[j] + (next == 0 ? 12 : 0);
+        sum += width * (y[j] * std::cos(k * x[j]) + y[next] * std::cos(k * x[next]));
+      }
+      return sum;
+    };
+    double before = 1, after = 1.6;  // the first zero, a quarter of a period
+    for (int i = 0; i < 50; ++i) (mode((before + after) / 2) > 0 ? before : after) = (before + after) / 2;
+    return std::pow(std::numbers::pi / (2 * before), 2);
+  };
+  const double level = frequency_squared(0);
+  const auto shift = [&](double height) {
+    return (frequency_squared(height) - level) / (height / 2 * std::pow(k / std::cosh(k), 2) / 2);
+  };
+  check.that("bragg",
+             "Bars, in the limit of low ones, raise the squared frequency of waves of twice their spacing by "
+             "g b k^2/(2 cosh^2 kh).",
+             "shift over that of first-order theory, from bars of 0.025 and 0.05 depths",
+             {2 * shift(0.025) - shift(0.05)},
+             Bound{1.5e-3, "(n b)^2 = 0.039^2: the term after the one that both heights together take out", 1});
+}
+
 }  // namespace seiche::verification::overturning_wave_test

@@ -33,12 +33,17 @@ Racer racer_of(const std::shared_ptr<Flow>& flow, const TankWave& wave, double t
 Racer start_mesh(const TankWave& wave, long rows) {
   using lagrangian_mesh_2d::Flow;
   const double h = 1 / static_cast<double>(rows);
-  const auto flow = std::make_shared<Flow>(
-      lagrangian_mesh_2d::layer_mesh({.end = wave.length,
-                                      .columns = static_cast<std::size_t>(std::lround(wave.length / (2 * h))),
-                                      .rows = static_cast<std::size_t>(rows),
-                                      .elevation = wave.water.elevation}),
-      wave.water.velocity);
+  const auto columns = static_cast<std::size_t>(std::lround(wave.length / (2 * h)));
+  const auto bottom = [&](const TankWave::Bottom& b) {
+    return std::make_shared<GraphCurve>(b.elevation, b.slope, b.curvature, 0, wave.length, columns);
+  };
+  const auto flow =
+      std::make_shared<Flow>(lagrangian_mesh_2d::layer_mesh({.end = wave.length,
+                                                             .columns = columns,
+                                                             .rows = static_cast<std::size_t>(rows),
+                                                             .elevation = wave.water.elevation,
+                                                             .bottom = wave.bottom ? bottom(*wave.bottom) : nullptr}),
+                             wave.water.velocity);
   return racer_of(flow, wave, 0.4 * h, [](const Flow& f) { return joined({f.surface_x(), f.surface_y()}); });
 }
 
@@ -81,17 +86,21 @@ Racer start_particles(const TankWave& wave, long cells) {
   const double cell = 1 / static_cast<double>(cells);
   constexpr double side = 6;  // particles to a cell's
   const auto across = static_cast<std::size_t>(std::lround(wave.length * static_cast<double>(cells)));
+  gauss_particles::Ground ground{.level = -1};
+  if (wave.bottom) {
+    ground.profile = std::make_shared<SmoothBottom>(wave.bottom->elevation, wave.bottom->slope, 0, wave.length);
+  }
   const auto flow = std::make_shared<Flow>(
       gauss_particles::layer({.end = wave.length,
                               .columns = across * static_cast<std::size_t>(side),
                               .rows = static_cast<std::size_t>(cells) * static_cast<std::size_t>(side),
                               .surface = wave.water.elevation,
-                              .bottom = [](double) { return -1.0; },
+                              .bottom = wave.bottom ? wave.bottom->elevation : [](double) { return -1.0; },
                               .markers = 20 * across,
                               .marker_at_end = true}),
       std::make_unique<SplineSpace>(
           gauss_particles::LatticePlan{
-              .cell_x = cell, .left_wall = 0.0, .right_wall = wave.length, .bottom = true, .ground = {.level = -1}},
+              .cell_x = cell, .left_wall = 0.0, .right_wall = wave.length, .bottom = true, .ground = ground},
           SplineSpace::Settings{.inner_fraction = 0.9}),
       wave.water.velocity,
       gauss_particles::Settings{
@@ -165,11 +174,8 @@ std::vector<double> TankWave::off(const std::vector<Point>& points, double time)
 }
 
 TankSizes tank_sizes(const Values& values) {
-  return {.particles = values.integer("particles"),
-          .mesh = values.integer("mesh"),
-          .cells = values.integer("cells"),
-          .sph = values.integer("sph"),
-          .markers = values.integer("markers")};
+  const auto size = [&](const char* name) { return values.all().contains(name) ? values.integer(name) : 0; };
+  return {size("particles"), size("mesh"), size("cells"), size("sph"), size("markers")};
 }
 
 std::vector<Contender> tank_contenders(const TankWave& wave, const DispersiveStart& dispersive,
@@ -179,7 +185,7 @@ std::vector<Contender> tank_contenders(const TankWave& wave, const DispersiveSta
     return [&wave, start](long n) { return start(wave, n); };
   };
   const std::vector<double> four{0.375, 0.5, 0.75, 1};
-  return {
+  std::vector<Contender> all{
       {"particles", "Gauss particles", "cell size", Role::computed, ladder_to(sizes.particles, {0.5, 0.75, 1}), over,
        starting(start_particles)},
       {"mesh", "Lagrangian mesh", "row height", Role::peer, ladder_to(sizes.mesh, four), over, starting(start_mesh)},
@@ -192,6 +198,8 @@ std::vector<Contender> tank_contenders(const TankWave& wave, const DispersiveSta
        [&wave, dispersive](long n) { return start_dispersive(wave, dispersive, n); }},
       {"sph", "SPH", "particle spacing", Role::peer, ladder_to(sizes.sph, {0.5, 0.75, 1}), over,
        starting(start_in_box)}};
+  std::erase_if(all, [](const Contender& one) { return one.resolutions.back() == 0; });
+  return all;
 }
 
 }  // namespace seiche::validation

@@ -50,6 +50,10 @@ constexpr double share_of_energy_error = 1e-4;
 constexpr double shortest_step = 1e-6;
 constexpr double longest_step = 0.25;
 
+Complex place(SurfaceView<const double> surface, std::size_t j) {
+  return {label(j, surface.size()) + surface.displacement[j], surface.y[j]};
+}
+
 double damping(double wavenumber, std::size_t markers) {
   return std::exp(-36 * std::pow(2 * std::abs(wavenumber) / static_cast<double>(markers), 28));
 }
@@ -71,12 +75,14 @@ void Stepper::rate(const State& state, double time, State& rate, Eigen::VectorXd
   double power = 0;
   double force = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    const std::complex<double> f = velocity_.velocity(i);
-    change.displacement[i] = f.real();
-    change.y[i] = -f.imag();
-    change.potential[i] = 0.5 * std::norm(f) - surface.y[i];
+    const Complex zeta = place(surface, i);
+    const Complex f = velocity_.velocity(i);
+    const double shrinks = 1 / std::norm(bars_.slope(zeta));
+    change.displacement[i] = shrinks * f.real();
+    change.y[i] = -shrinks * f.imag();
+    change.potential[i] = 0.5 * shrinks * std::norm(f) - (zeta + bars_.offset(zeta)).imag();
     if (!pressure_) continue;
-    const double p = pressure_(label(i, n) + surface.displacement[i], time);
+    const double p = pressure_(zeta.real(), time);
     change.potential[i] -= p;
     power += p * psi_s[static_cast<Eigen::Index>(i)];
     force += p * velocity_.tangent(i).imag();
@@ -92,7 +98,7 @@ Moment Stepper::begin(double time, State state) {
   // Nothing is known of psi_s yet, and the invariants of this moment are what later ones are compared with.
   velocity_.solve(view(std::as_const(moment.state)), moment.psi_s, 1e-15);
   rate(moment.state, time, moment.rate, moment.psi_s);
-  moment.invariants = velocity_.invariants(view(std::as_const(moment.state)), moment.psi_s);
+  moment.invariants = velocity_.invariants(view(std::as_const(moment.state)), moment.psi_s, bars_);
   return moment;
 }
 
@@ -119,18 +125,25 @@ Stepper::Result Stepper::step(std::span<const Moment> past, double duration) {
     if (!(std::abs(d) <= result.error)) result.error = std::abs(d);  // keeps a NaN
   }
   last_duration_ = std::isfinite(result.error) ? duration : 0;
-  to.invariants = velocity_.invariants(view(std::as_const(to.state)), to.psi_s);
+  to.invariants = velocity_.invariants(view(std::as_const(to.state)), to.psi_s, bars_);
   return result;
 }
 
-Evolution::Evolution(State initial, double depth, double tolerance, SurfacePressure pressure)
+Evolution::Evolution(State initial, double depth, double tolerance, SurfacePressure pressure, Bars bars)
     : depth_(depth),
       tolerance_(std::max(tolerance, roundoff_of_step)),
       pressure_(std::move(pressure)),
-      stepper_(marker_count(initial), depth, pressure_),
+      bars_(bars),
+      stepper_(marker_count(initial), depth, pressure_, bars),
       fourier_(marker_count(initial)),
       coefficients_(marker_count(initial)) {
   require_positive("tolerance", tolerance);
+  const auto surface = view(initial);
+  for (std::size_t j = 0; j < surface.size(); ++j) {
+    const Complex offset = bars_.offset(bars_.origin(place(view(std::as_const(initial)), j)));
+    surface.displacement[j] -= offset.real();
+    surface.y[j] -= offset.imag();
+  }
   moments_.push_back(stepper_.begin(0, std::move(initial)));
 }
 
@@ -199,10 +212,26 @@ std::string Evolution::ending_reason() const {
       resolution_lost);
 }
 
+Moment Evolution::in_space(Moment moment) const {
+  const auto surface = view(moment.state);
+  const auto rate = view(moment.rate);
+  for (std::size_t j = 0; j < surface.size(); ++j) {
+    const Complex zeta = place(view(std::as_const(moment.state)), j);
+    const Complex offset = bars_.offset(zeta);
+    const Complex velocity = bars_.slope(zeta) * Complex(rate.displacement[j], rate.y[j]);
+    surface.displacement[j] += offset.real();
+    surface.y[j] += offset.imag();
+    rate.displacement[j] = velocity.real();
+    rate.y[j] = velocity.imag();
+  }
+  return moment;
+}
+
 double Evolution::ending_place() const {
   // Where a surface breaks, the fluid is accelerated most.
-  const auto surface = view(now().state);
-  const auto rate = view(now().rate);
+  const Moment last = in_space(now());
+  const auto surface = view(last.state);
+  const auto rate = view(last.rate);
   Largest fastest;
   for (std::size_t j = 0; j < surface.size(); ++j) {
     fastest.add(std::hypot(rate.displacement[j], rate.y[j]), label(j, surface.size()) + surface.displacement[j]);
@@ -215,14 +244,15 @@ Moment Evolution::at(double time) const {
                                   now().time);
   const auto next = std::ranges::upper_bound(moments_, time, {}, &Moment::time);
   const std::span<const Moment> past(moments_.begin(), next);
-  if (past.back().time == time) return past.back();
-  return Stepper(marker_count(now().state), depth_, pressure_).step(past, time - past.back().time).moment;
+  if (past.back().time == time) return in_space(past.back());
+  Stepper stepper(marker_count(now().state), depth_, pressure_, bars_);
+  return in_space(stepper.step(past, time - past.back().time).moment);
 }
 
 std::optional<double> Evolution::first_zero(const std::function<double(const Moment&)>& g, double accuracy) const {
-  double before = g(moments_.front());
+  double before = g(in_space(moments_.front()));
   for (std::size_t m = 1; m < moments_.size(); ++m) {
-    const double after = g(moments_[m]);
+    const double after = g(in_space(moments_[m]));
     if (after <= 0) {
       const auto close = [accuracy](double a, double b) { return b - a < accuracy; };
       std::uintmax_t evaluations = 60;

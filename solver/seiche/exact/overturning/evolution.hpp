@@ -2,7 +2,8 @@
 ///
 /// p(x, t) is a pressure on the surface, none if it is not given. The outward normal is n ds = (-y_s, x_s) ds, and
 /// u.n ds = -psi_s ds: p does the work int p psi_s ds and pushes forward with int p y_s ds, which the step integrates
-/// with the motion.
+/// with the motion. Over bars (bars.hpp) the state is that of zeta, and z_zeta divides the velocity:
+/// dzeta/dt = conj w_zeta/|z_zeta|^2.
 ///
 /// Seven stages, of which the last is the first of the next step: six integral equations per step. Each starts from
 /// psi_s extrapolated in time from the moments before, plus what that missed in the same stage of the last step.
@@ -58,8 +59,8 @@ double energy_error(const Moment& start, const Moment& now);
 
 class Stepper {
  public:
-  Stepper(std::size_t markers, double depth, SurfacePressure pressure = {})
-      : velocity_(markers, depth), pressure_(std::move(pressure)) {}
+  Stepper(std::size_t markers, double depth, SurfacePressure pressure, Bars bars)
+      : velocity_(markers, depth), pressure_(std::move(pressure)), bars_(bars) {}
 
   /// The surface at a time with its rate; the first guess of psi_s is zero.
   Moment begin(double time, State state);
@@ -76,6 +77,7 @@ class Stepper {
 
   SurfaceVelocity velocity_;
   SurfacePressure pressure_;
+  Bars bars_;
   boost::numeric::odeint::runge_kutta_dopri5<State> pair_;
   /// By how much psi_s of each stage differed from the extrapolation in the last step, and how long that was.
   std::array<Eigen::VectorXd, 6> departures_;
@@ -89,11 +91,12 @@ class Evolution {
   /// @param depth      k h, may be infinite
   /// @param tolerance  of one step, absolute
   /// @param pressure   on the surface; where it is not smooth in time, advance_to that time first
-  Evolution(State initial, double depth, double tolerance, SurfacePressure pressure = {});
+  Evolution(State initial, double depth, double tolerance, SurfacePressure pressure = {}, Bars bars = {});
 
   /// Steps until `time` is reached exactly, or something ends the motion before.
   void advance_to(double time);
 
+  /// Over bars their states are those of zeta.
   [[nodiscard]] const std::vector<Moment>& moments() const { return moments_; }
   [[nodiscard]] const Moment& now() const { return moments_.back(); }
   [[nodiscard]] bool forced() const { return static_cast<bool>(pressure_); }
@@ -110,9 +113,12 @@ class Evolution {
 
  private:
   void filter(State& state);
+  /// The state and its rate in the place of those of zeta.
+  [[nodiscard]] Moment in_space(Moment moment) const;
 
   double depth_, tolerance_;
   SurfacePressure pressure_;
+  Bars bars_;
   Stepper stepper_;
   linear::Fourier fourier_;
   std::vector<std::complex<double>> coefficients_;

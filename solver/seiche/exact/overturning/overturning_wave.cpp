@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <memory>
 #include <random>
 #include <utility>
@@ -80,7 +81,11 @@ const WavesInTank::Parameters& checked(const WavesInTank::Parameters& p) {
   if (p.peak != 0) require_within("peak", p.peak, p.first, p.last);
   require_not_negative("seed", p.seed);
   require_positive("amplitude", p.amplitude);
-  require_within("amplitude", p.amplitude, 0, std::min(p.wavelength / (2 * std::numbers::pi * p.last), 0.99 * p.depth));
+  require_within("bars", p.bars, 1, static_cast<double>(p.markers) / 8);
+  const double sharp = p.wavelength / (2 * std::numbers::pi * p.bars);
+  require_within("bar_height", p.bar_height, 0, std::isinf(p.depth) ? 0 : std::min(sharp, p.depth));
+  require_within("amplitude", p.amplitude, 0,
+                 std::min(p.wavelength / (2 * std::numbers::pi * p.last), 0.99 * p.depth - p.bar_height / 2));
   return p;
 }
 
@@ -186,7 +191,8 @@ WavesInTank::WavesInTank(const Parameters& parameters)
     : MovingSurface(checked(parameters).wavelength, parameters.gravity, parameters.amplitude,
                     coarser<WavesInTank>(parameters)),
       parameters_(parameters),
-      modes_(modes_of(parameters_)) {
+      modes_(modes_of(parameters_)),
+      bars_{parameters.bar_height / 2, parameters.bars / length(), parameters.depth} {
   const auto& p = parameters_;
   const double longest = 2 * std::numbers::pi / modes_.front().frequency;
   const double last_time = p.last_time > 0 ? p.last_time : p.focus > 0 ? p.focus : longest;
@@ -194,28 +200,39 @@ WavesInTank::WavesInTank(const Parameters& parameters)
   ow::State state = ow::from_functions(
       p.markers, [&](double x) { return elevation(x) / length(); },
       [&](double x) { return linear(x * length(), elevation(x), 0).potential / (length() * velocity()); });
-  compute(ow::Evolution(std::move(state), p.depth / length(), p.tolerance), last_time,
+  const ow::Bars bars{bars_.half_height / length(), static_cast<double>(p.bars), p.depth / length()};
+  compute(ow::Evolution(std::move(state), p.depth / length(), p.tolerance, {}, bars), last_time,
           [](double tangent) { return 0.25 * tangent; });
 }
 
 WavesInTank::Linear WavesInTank::linear(double x, double y, double t) const {
   const double g = parameters_.gravity;
+  const std::complex<double> zeta = bars_.origin({x, y});
   Linear sum;
   double rate = 0;  // of the potential
   for (const auto& [k, a, w, phase] : modes_) {
     // cosh k(y + h)/cosh kh and sinh k(y + h)/cosh kh without overflow in deep water.
-    const double up = std::exp(k * y) / (1 + std::exp(-2 * k * parameters_.depth));
-    const double down = std::exp(-k * (y + 2 * parameters_.depth)) / (1 + std::exp(-2 * k * parameters_.depth));
+    const double up = std::exp(k * zeta.imag()) / (1 + std::exp(-2 * k * parameters_.depth));
+    const double down =
+        std::exp(-k * (zeta.imag() + 2 * parameters_.depth)) / (1 + std::exp(-2 * k * parameters_.depth));
     const double potential = -a * g / w * std::sin(w * t + phase);
+    const double across = std::sin(k * zeta.real());
+    const double along = std::cos(k * zeta.real());
     sum.elevation += a * std::cos(k * x) * std::cos(w * t + phase);
-    sum.potential += potential * (up + down) * std::cos(k * x);
-    rate -= a * g * std::cos(w * t + phase) * (up + down) * std::cos(k * x);
-    sum.velocity.u -= k * potential * (up + down) * std::sin(k * x);
-    sum.velocity.v += k * potential * (up - down) * std::cos(k * x);
-    sum.discharge -= potential * (up - down) * std::sin(k * x);
+    sum.potential += potential * (up + down) * along;
+    rate -= a * g * std::cos(w * t + phase) * (up + down) * along;
+    sum.velocity.u -= k * potential * (up + down) * across;
+    sum.velocity.v += k * potential * (up - down) * along;
+    sum.discharge -= potential * (up - down) * across;
   }
+  const std::complex<double> velocity = std::complex(sum.velocity.u, -sum.velocity.v) / bars_.slope(zeta);
+  sum.velocity = {velocity.real(), -velocity.imag()};
   sum.pressure = -rate - 0.5 * (sum.velocity.u * sum.velocity.u + sum.velocity.v * sum.velocity.v) - g * y;
   return sum;
+}
+
+ow::Bars::Bottom WavesInTank::bottom(double x) const {
+  return bars_.bottom(x);
 }
 
 double WavesInTank::significant_height() const {
@@ -356,6 +373,8 @@ ExactSolution waves_in_tank_entry() {
        {"focus", "s", 0, 0, 1e9, "when the crests meet at the wall by linear theory; 0: they start at rest there"},
        {"peak", "1", 0, 0, 100, "mode at the peak of JONSWAP's spectrum; 0: equal amplitudes"},
        {"seed", "1", 0, 0, 1e6, "of random phases, an irregular sea; 0: the crests meet at the focus"},
+       {"bar_height", "m", 0, 0, 1e6, "of trochoidal bars on the bottom, from trough to crest; 0: a level bottom"},
+       {"bars", "1", 2, 1, 100, "bars: so many in a wavelength, a crest at the wall x = 0"},
        {"markers", "1", 256, 64, 4096, "markers per wavelength, even"},
        {"last_time", "s", 0, 0, 1e9, "end of the computation; 0: the focus, or one period of the longest waves"}},
       {{"energy", "m^4/s^2", "kinetic and potential, per wavelength at the start, density 1",
@@ -363,7 +382,7 @@ ExactSolution waves_in_tank_entry() {
        {"significant_height", "m", "four standard deviations of the elevation by linear theory",
         &WavesInTank::significant_height}},
       made_by([](auto... given) { return WavesInTank::Parameters{given...}; }, "amplitude", "wavelength", "depth",
-              "gravity", "first", "last", "focus", "peak", "seed", "markers", "last_time"));
+              "gravity", "first", "last", "focus", "peak", "seed", "bar_height", "bars", "markers", "last_time"));
 }
 
 }  // namespace seiche::exact

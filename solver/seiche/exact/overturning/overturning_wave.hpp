@@ -37,8 +37,8 @@
 /// (1976) 1. The amplitude of the pressure is the user's: 0.1 is fitted to the times of the frames of Frank (1994),
 /// figure 10, which does not print one.
 ///
-/// Many waves in a tank of constant depth: a group that comes to a focus at a wall, or an irregular sea. Fully
-/// nonlinear potential flow.
+/// Many waves in a tank, over a level bottom or over bars: a group that comes to a focus at a wall, or an irregular
+/// sea. Fully nonlinear potential flow.
 ///
 /// Between walls at x = 0 and half a wavelength, modes n = first .. last start with the surface and the potential that
 /// linear theory gives them at t = 0 (k = 2 pi/wavelength, w_n^2 = g n k tanh n k h):
@@ -53,6 +53,9 @@
 /// times the band dw_n = c_g k. With seed = 0 all e_n are 0: by linear theory all crests meet at the wall x = 0 at
 /// t = focus, `amplitude` high; focus = 0 starts at rest, and one mode is a standing wave. Any other seed draws the e_n
 /// at random between 0 and 2 pi: an irregular sea. The tank and its mirror image are the period of the computed motion.
+///
+/// Over bars (overturning/bars.hpp) the potential at the start is that of linear theory in the plane of zeta: it keeps
+/// to the bottom, and later times of linear theory are those of the level bottom.
 ///
 /// When not to use it: waves steep enough to break, or to throw a jet up the wall.
 ///
@@ -138,6 +141,8 @@ class WavesInTank : public overturning::MovingSurface {
     double focus = 0;           ///< [s]; not negative
     int peak = 0;               ///< mode at the spectrum's peak; 0: equal amplitudes
     int seed = 0;               ///< of the phases; 0: none, a focus
+    double bar_height = 0;      ///< from trough to crest [m]; at most 1/(their wavenumber), where they are sharp
+    int bars = 2;               ///< in `wavelength`, a crest at x = 0; a finite depth is that of their middle
     std::size_t markers = 256;  ///< even, at least 64
     double last_time = 0;       ///< [s]; 0: the focus, or one period of the longest mode if that is 0
     double tolerance = 2e-11;   ///< of a time step, in units of 1/k
@@ -164,12 +169,15 @@ class WavesInTank : public overturning::MovingSurface {
     double discharge = 0;  ///< of the water below y, towards +x [m^2/s]
   };
   [[nodiscard]] Linear linear(double x, double y, double t) const;
+  /// Elevation [m], slope [1] and second derivative [1/m] of the bottom under x.
+  [[nodiscard]] overturning::Bars::Bottom bottom(double x) const;
 
   [[nodiscard]] SelfTest self_test() const;
 
  private:
   Parameters parameters_;
   std::vector<Mode> modes_;
+  overturning::Bars bars_;  ///< in the units of the user
 };
 
 }  // namespace seiche::exact

@@ -212,14 +212,17 @@ void SurfaceVelocity::solve(SurfaceView<const double> surface, Eigen::VectorXd& 
   for (std::size_t i = 0; i < n_; ++i) velocity_[i] = Complex(phi_s_[i], psi_s[static_cast<Eigen::Index>(i)]) / z_s_[i];
 }
 
-Invariants SurfaceVelocity::invariants(SurfaceView<const double> surface, const Eigen::VectorXd& psi_s) const {
+Invariants SurfaceVelocity::invariants(SurfaceView<const double> surface, const Eigen::VectorXd& psi_s,
+                                       const Bars& bars) const {
   Invariants sum;
   for (std::size_t i = 0; i < n_; ++i) {
-    const double y = surface.y[i];
-    sum.volume += y * z_s_[i].real();
+    const Complex zeta(label(i, n_) + surface.displacement[i], surface.y[i]);
+    const double y = (zeta + bars.offset(zeta)).imag();
+    const Complex z_s = bars.slope(zeta) * z_s_[i];
+    sum.volume += y * z_s.real();
     sum.kinetic_energy -= 0.5 * surface.potential[i] * psi_s[static_cast<Eigen::Index>(i)];
-    sum.potential_energy += 0.5 * y * y * z_s_[i].real();
-    sum.impulse -= surface.potential[i] * z_s_[i].imag();
+    sum.potential_energy += 0.5 * y * y * z_s.real();
+    sum.impulse -= surface.potential[i] * z_s.imag();
   }
   const double w = label(1, n_);
   return {w * sum.volume, w * sum.kinetic_energy, w * sum.potential_energy, w * sum.impulse};

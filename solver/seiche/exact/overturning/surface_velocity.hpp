@@ -47,6 +47,7 @@
 
 #include <Eigen/Core>
 
+#include "seiche/exact/overturning/bars.hpp"
 #include "seiche/exact/reference_solution.hpp"
 #include "seiche/linear/fourier.hpp"
 #include "seiche/linear/gmres.hpp"
@@ -139,7 +140,9 @@ class SurfaceVelocity {
   /// Of the surface solved last: velocity u - i v of marker i, its z_s, and the integrals over the period.
   [[nodiscard]] std::complex<double> velocity(std::size_t i) const { return velocity_[i]; }
   [[nodiscard]] std::complex<double> tangent(std::size_t i) const { return z_s_[i]; }
-  [[nodiscard]] Invariants invariants(SurfaceView<const double> surface, const Eigen::VectorXd& psi_s) const;
+  /// Over bars the surface is that in the plane of zeta.
+  [[nodiscard]] Invariants invariants(SurfaceView<const double> surface, const Eigen::VectorXd& psi_s,
+                                      const Bars& bars) const;
 
   /// Iterations and equations solved so far.
   [[nodiscard]] long iterations() const { return iterations_; }
