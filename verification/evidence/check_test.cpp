@@ -1,8 +1,11 @@
 // What every test here stands on: a claim that does not come out as declared fails its test, and the record is kept.
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <limits>
 #include <string>
+
+#include <nlohmann/json.hpp>
 
 #include "reports/evidence/record_files.hpp"
 #include "verification/check.hpp"
@@ -24,9 +27,10 @@ class Elsewhere {
   Elsewhere(Elsewhere&&) = delete;
   Elsewhere& operator=(Elsewhere&&) = delete;
   ~Elsewhere() { before_.empty() ? unsetenv("SEICHE_EVIDENCE") : setenv("SEICHE_EVIDENCE", before_.c_str(), 1); }
-  [[nodiscard]] bool has(const std::string& record) const {
-    return std::filesystem::exists(folder_.path() / (record + ".json"));
+  [[nodiscard]] std::filesystem::path file(const std::string& record) const {
+    return folder_.path() / (record + ".json");
   }
+  [[nodiscard]] bool has(const std::string& record) const { return std::filesystem::exists(file(record)); }
 
  private:
   ScratchFolder folder_{"check"};
@@ -54,6 +58,21 @@ TEST_CASE("a record is written, also after an exception") {
   } catch (const std::runtime_error&) {
     CHECK(elsewhere.has("broken"));
   }
+}
+
+TEST_CASE("a claim has the source and resolution stated for it, others those of their check") {
+  const Elsewhere elsewhere;
+  {
+    Check check("sources", "Sources", "What each claim says of itself.", "of the check");
+    check.from("of the claim").that("a", "A is small.", "a [m]", {.value = 0.1, .resolution = "10 cells"}, half);
+    check.at("20 cells");
+    check.that("b", "B is small.", "b", {.value = 0.2}, half);
+  }
+  const auto claims = nlohmann::json::parse(std::ifstream(elsewhere.file("sources")))["claims"];
+  REQUIRE(claims.size() == 2);
+  CHECK((claims[0]["source"] == "of the claim" && claims[1]["source"] == "of the check"));
+  CHECK((claims[0]["resolution"] == "10 cells" && claims[1]["resolution"] == "20 cells"));
+  CHECK((claims[0]["quantity"] == "a" && claims[0]["unit"] == "m" && claims[1]["unit"] == "1"));
 }
 
 TEST_CASE("a claim that is not met fails its test", "[!shouldfail]") {

@@ -78,6 +78,11 @@ TEST_CASE("claims are in the order of case, set and claim", "[evidence]") {
   evidence::sort(claims);
   CHECK((claims[0].name == "alpha" && claims[1].claim == "mass" && claims[2].claim == "volume"));
   CHECK(claims[3].set == "bzz-fig-12");
+  evidence::Summary one, another;
+  one.name = "bore";
+  another.name = "alpha";
+  one.error = another.error = "diverged";
+  CHECK(evidence::recorded_claims({one, another}).front().name == "alpha");
 }
 
 TEST_CASE("a record that did not finish has a claim of its run", "[evidence]") {

@@ -209,4 +209,34 @@ TEST_CASE("the symbol of the hexahedral mesh agrees with the assembled matrix", 
              Roundoff{27 * 24, scale.value(), "27 coefficients of 24 products each"});
 }
 
+TEST_CASE("every inverted corner of a cell is counted", "[geometry]") {
+  std::minstd_rand random(5);
+  std::uniform_real_distribution<double> stretch(1, 3);
+  std::array<long, 9> times{};
+  for (int k = 0; k < 2000; ++k) {
+    CellCorners cell = random_cell(random);
+    const double s = stretch(random);
+    for (std::size_t a = 0; a < 8; ++a) {
+      const auto [east, north, above] = lattice::place_of[a];
+      cell[a] = {east + s * (cell[a].x - east), north + s * (cell[a].y - north), above + s * (cell[a].z - above)};
+    }
+    std::array<std::array<std::array<double, 2>, 4>, 3> places{};
+    NodeVectors rows{};
+    for (std::size_t a = 0; a < 8; ++a) {
+      const auto [east, north, above] = lattice::place_of[a];
+      const std::array place{cell[a].x, cell[a].y, cell[a].z};
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        places[axis][static_cast<std::size_t>(north + 2 * above)][static_cast<std::size_t>(east)] = place[axis];
+      }
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      for (std::size_t row = 0; row < 4; ++row) rows[axis][row] = places[axis][row].data();
+    }
+    const auto inverted = std::ranges::count_if(corner_volumes(cell), [](double volume) { return volume <= 0; });
+    CHECK(inverted_corners_of_row(1, rows) == static_cast<double>(inverted));
+    ++times[static_cast<std::size_t>(inverted)];
+  }
+  CHECK((times[0] > 0 && times[1] > 0 && times[2] > 0));
+}
+
 }  // namespace seiche::verification::hexahedron_test

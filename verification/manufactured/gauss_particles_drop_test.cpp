@@ -65,4 +65,18 @@ TEST_CASE("particles with all linear fields follow Dirichlet's ellipse, however 
          });
 }
 
+TEST_CASE("a flow gives places and velocities in the order of its particles", "[manufactured]") {
+  const Particles particles = four();
+  const Flow flow(particles, std::make_unique<PolynomialSpace>(),
+                  [](Point r) {
+                    return Point{r.x + 2, -r.y - 1};
+                  },
+                  {.gravity = 0, .penalty = 0});
+  for (std::size_t k = 0; k < 4; ++k) {
+    CHECK((flow.x()[k] == particles.x[k] && flow.y()[k] == particles.y[k]));
+    CHECK(std::abs(flow.u()[k] - particles.x[k] - 2) < 1e-14);
+    CHECK(std::abs(flow.v()[k] + particles.y[k] + 1) < 1e-14);
+  }
+}
+
 }  // namespace seiche::verification::gauss_particles_drop_test

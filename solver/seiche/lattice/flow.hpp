@@ -46,7 +46,7 @@ class Flow : public mechanics::ModelFlow<Model> {
     stable_step_ = stable_step;
     fresh_ = true;
   }
-  /// The same at the very beginning. Throws Divergence for velocities that cannot be projected.
+  /// The same at the very beginning. Throws std::invalid_argument for velocities that cannot be projected.
   /// @param smooth_start  only for the one-step scheme without composition, and where no side is driven
   void begin_at_first(std::unique_ptr<Model> model, mechanics::State state, double stable_step, bool smooth_start) {
     smooth_start_ = smooth_start && scheme_.stepping != mechanics::Stepping::conservative &&

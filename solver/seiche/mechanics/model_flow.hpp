@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -47,12 +48,12 @@ class ModelFlow {
     Start(*model).project(state);
     take(std::move(model), std::move(state));
   }
-  /// The same at the very beginning. Throws Divergence for velocities that cannot be projected.
+  /// The same at the very beginning. Throws std::invalid_argument for velocities that cannot be projected.
   void begin_at_first(std::unique_ptr<Model> model, State state) {
     try {
       begin(std::move(model), std::move(state));
     } catch (const Infeasible& failure) {
-      throw Divergence(failure.what(), 0, 0, failure.place());
+      throw std::invalid_argument(failure.what());
     }
   }
   /// Velocities that are not to be projected.

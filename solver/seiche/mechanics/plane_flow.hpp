@@ -7,7 +7,6 @@
 #include <limits>
 #include <memory>
 #include <span>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -50,11 +49,7 @@ class PlaneFlow : public ModelFlow<Model> {
   template <class VelocityAt>
   PlaneFlow(std::unique_ptr<Model> model, const VelocityAt& velocity) {
     State state = model->state(velocity);
-    try {
-      this->begin(std::move(model), std::move(state));
-    } catch (const Infeasible& failure) {
-      throw std::invalid_argument(failure.what());
-    }
+    this->begin_at_first(std::move(model), std::move(state));
   }
 
   /// What a step took by stabilisation, and what the feedback did.

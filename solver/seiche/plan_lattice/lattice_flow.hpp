@@ -64,7 +64,7 @@ class LatticeFlow : public lattice::Flow<Model> {
  protected:
   LatticeFlow(mechanics::Scheme scheme, Window window) : lattice::Flow<Model>(scheme), window_(std::move(window)) {}
 
-  /// Projects the first velocities. Throws std::invalid_argument for the window, Divergence.
+  /// Projects the first velocities. Throws std::invalid_argument for the window, or if they cannot be projected.
   void begin_between(const Sides& sides, Shape shape, std::unique_ptr<Model>&& model, mechanics::State state,
                      double stable_step, bool smooth_start) {
     shape_ = shape;
