@@ -110,6 +110,7 @@ void Study::run(const Run& run, evidence::Record& record) const {
   leave_out(list, record);
   try {
     show_(results.get(), run, record);
+    if (record.figures().empty() && record.tables().empty()) throw std::logic_error("no figure and no table");
   } catch (const std::exception& failure) {
     record.error = fmt::format("its results could not be shown: {}", failure.what());
   }

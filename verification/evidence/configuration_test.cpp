@@ -16,6 +16,19 @@ Values configured(const std::string& text, const std::string& name = "riemann") 
   return values;
 }
 
+TEST_CASE("a parameter of any type has the default of the test level", "[evidence]") {
+  const std::vector<Parameter> all{real("length", {1.5, 2.5, 3.5}, "m", {0, 9}, ""),
+                                   integer("cells", {1, 2, 3}, {1, 9}, ""),
+                                   choice("scheme", ByTier<std::string>{"a", "b", "c"}, {"a", "b", "c"}, ""),
+                                   toggle("walls", {false, true, false}, ""), toggle("bed", {true, true, false}, "")};
+  const Values quick(all, Tier::quick), full(all, Tier::full), paper(all, Tier::paper);
+  CHECK((quick.real("length") == 1.5 && full.real("length") == 2.5 && paper.real("length") == 3.5));
+  CHECK((quick.integer("cells") == 1 && full.integer("cells") == 2 && paper.integer("cells") == 3));
+  CHECK((quick.text("scheme") == "a" && full.text("scheme") == "b" && paper.text("scheme") == "c"));
+  CHECK((!quick.toggle("walls") && full.toggle("walls") && !paper.toggle("walls")));
+  CHECK((quick.toggle("bed") && full.toggle("bed") && !paper.toggle("bed")));
+}
+
 TEST_CASE("a configuration sets the parameters it names, and a case's own table overrides the top level",
           "[evidence]") {
   const Values plain = configured("");

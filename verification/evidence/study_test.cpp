@@ -63,11 +63,13 @@ Results compute(const Run& run) {
 void show(const Results& results, const Values& /*values*/, Exhibit& exhibit) {
   if (results.what == "not shown") throw std::runtime_error("no room");
   exhibit.measure("depth", results.depth);
+  if (results.what != "shows nothing") exhibit.table({.id = "depth", .title = "Depth", .columns = {{"h", "m"}}});
 }
 
 const std::vector<std::string> all_of_them{
-    "fine",     "nothing",        "all left out", "twice",     "left out", "not measured",    "not a number",
-    "not told", "beyond the cap", "crash",        "no memory", "refused",  "another failure", "not shown"};
+    "fine",         "nothing",      "all left out",    "twice",          "left out",
+    "not measured", "not a number", "not told",        "beyond the cap", "crash",
+    "no memory",    "refused",      "another failure", "not shown",      "shows nothing"};
 
 /// @param standard  the case's own choice
 Run run_of(const std::string& what, const std::string& standard = "fine") {
@@ -177,6 +179,7 @@ TEST_CASE("a case whose figures fail retains its verdicts and is not marked as f
   CHECK(verdict(record, "depth") == Verdict::pass);
   CHECK_FALSE(record.error.empty());
   CHECK_FALSE(record.as_declared());
+  CHECK(record_of("shows nothing").error == "its results could not be shown: no figure and no table");
 }
 
 }  // namespace seiche::verification::study_test

@@ -65,6 +65,19 @@ TEST_CASE("particles with all linear fields follow Dirichlet's ellipse, however 
          });
 }
 
+TEST_CASE("a step of the projection scheme moves freely, then takes up gravity", "[manufactured]") {
+  Model model(four(), std::make_unique<PolynomialSpace>(), {.gravity = 2, .penalty = 0});
+  State state = model.state([](Point) { return Point{1, 0.5}; });
+  const std::vector<double> begin = state.q;
+  ProjectedStep<Model> step(model);
+  for (int k = 0; k < 2; ++k) step.step(state, 0.1);
+  for (std::size_t k = 0; k < 4; ++k) {
+    CHECK(std::abs(state.q[k] - begin[k] - 0.2) < 1e-14);
+    CHECK(std::abs(state.q[4 + k] - begin[4 + k] - (0.05 + 0.03)) < 1e-14);
+    CHECK((std::abs(state.u[k] - 1) < 1e-14 && std::abs(state.u[4 + k] - 0.1) < 1e-14));
+  }
+}
+
 TEST_CASE("a flow gives places and velocities in the order of its particles", "[manufactured]") {
   const Particles particles = four();
   const Flow flow(particles, std::make_unique<PolynomialSpace>(),
