@@ -53,9 +53,9 @@ TankWave tank_of(const WavesInTank& sea, const Comparison& comparison) {
   const double amplitude = comparison.sea.amplitude;
   std::optional<TankWave::Bottom> bottom;
   if (comparison.barred()) {
-    bottom = {.elevation = [sea](double x) { return sea.bottom(x).elevation; },
-              .slope = [sea](double x) { return sea.bottom(x).slope; },
-              .curvature = [sea](double x) { return sea.bottom(x).curvature; }};
+    bottom = {.elevation = [sea](double x) { return sea.bars().bottom(x).elevation; },
+              .slope = [sea](double x) { return sea.bars().bottom(x).slope; },
+              .curvature = [sea](double x) { return sea.bars().bottom(x).curvature; }};
   }
   return {.length = length,
           .water = {.period = 2 * length,
@@ -84,7 +84,7 @@ dispersive_shallow_water_1d::Flow dispersive_of(const WavesInTank& sea, const Ta
   if (tank.bottom)
     channel.bottom = std::make_shared<SmoothBottom>(tank.bottom->elevation, tank.bottom->slope, 0, length);
   const auto elevation = [&](double x) { return sea.linear(x, 0, 0).elevation; };
-  const auto depth = [&](double x) { return elevation(x) - sea.bottom(x).elevation; };
+  const auto depth = [&](double x) { return elevation(x) - sea.bars().bottom(x).elevation; };
   const auto mean = [&](double x) { return sea.linear(x, elevation(x), 0).discharge / depth(x); };
   const auto motion = [&](double x) {
     constexpr double h = 1e-5;

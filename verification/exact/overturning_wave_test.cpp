@@ -230,18 +230,20 @@ TEST_CASE("waves over bars keep to the bottom and have the frequency of Bragg's 
   const WavesInTank sea({.last = 8, .peak = 3, .seed = 5, .bar_height = 0.3, .bars = 6, .last_time = 2});
   Worst bottom, gradient, through;
   for (const double s : {0.1, 0.7, 1.3, 2.9, 4.4}) {
-    const auto [elevation, slope, curvature] = sea.bottom(s - 0.15 * std::sin(std::numbers::pi * s));
+    const auto [elevation, slope, curvature] = sea.bars().bottom(s - 0.15 * std::sin(std::numbers::pi * s));
     bottom.add(elevation - (0.15 * std::cos(std::numbers::pi * s) - 1));
-    bottom.add(slope -
-               difference([&](double d) { return sea.bottom(s - 0.15 * std::sin(std::numbers::pi * s) + d).elevation; },
-                          1e-3));
+    bottom.add(
+        slope -
+        difference([&](double d) { return sea.bars().bottom(s - 0.15 * std::sin(std::numbers::pi * s) + d).elevation; },
+                   1e-3));
     bottom.add(
         curvature -
-        difference([&](double d) { return sea.bottom(s - 0.15 * std::sin(std::numbers::pi * s) + d).slope; }, 1e-3));
-    const auto below = sea.linear(s, sea.bottom(s).elevation, 0);
-    through.add((below.velocity.v - sea.bottom(s).slope * below.velocity.u) / 0.1);
+        difference([&](double d) { return sea.bars().bottom(s - 0.15 * std::sin(std::numbers::pi * s) + d).slope; },
+                   1e-3));
+    const auto below = sea.linear(s, sea.bars().bottom(s).elevation, 0);
+    through.add((below.velocity.v - sea.bars().bottom(s).slope * below.velocity.u) / 0.1);
     through.add(below.discharge / 0.1);
-    const double y = 0.5 * sea.bottom(s).elevation;
+    const double y = 0.5 * sea.bars().bottom(s).elevation;
     const auto here = sea.linear(s, y, 0);
     gradient.add(difference([&](double d) { return sea.linear(s + d, y, 0).potential; }, 1e-3) - here.velocity.u);
     gradient.add(difference([&](double d) { return sea.linear(s, y + d, 0).potential; }, 1e-3) - here.velocity.v);

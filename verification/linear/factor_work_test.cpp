@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "seiche/linear/nine_point_cholesky.hpp"
 #include "seiche/linear/sparse_cholesky.hpp"
 #include "verification/check.hpp"
 
@@ -43,8 +42,7 @@ double difference(FactorWork a, FactorWork b) {
 TEST_CASE("factors report their entries and operations", "[linear]") {
   Check check("factor_work", "What a factor costs",
               "Entries and operations of Cholesky factors, as the solvers report them, compared with sums over the "
-              "columns of bands and full matrices; of a mesh that is one dense block of eight cells, and of one that "
-              "is two on each other.");
+              "columns of bands and full matrices.");
   const auto same = [&](const std::string& id, FactorWork told, FactorWork counted) {
     check.holds(id + ": The solver reports the entries and operations of its factor.", {difference(told, counted)},
                 Bound{0, "whole numbers"});
@@ -52,10 +50,6 @@ TEST_CASE("factors report their entries and operations", "[linear]") {
   same("tridiagonal", banded(50, 1), by_columns(50, 1));
   same("wide", banded(60, 7), by_columns(60, 7));
   same("full", banded(20, 19), by_columns(20, 19));
-  constexpr double product = 2 * 8 * 8 * 8;
-  same("one-block", linear::NinePointCholesky(4, 2).work(), {64, product});
-  // Inverse, division and update of the first block, inverse of the second.
-  same("two-blocks", linear::NinePointCholesky(8, 2).work(), {3 * 64, 4 * product});
 }
 
 }  // namespace seiche::verification::factor_work_test

@@ -75,6 +75,12 @@ inline Work lattice_solution(double nx, double nz, double stencil, double iterat
   return pass(8, 3) + product + iterations * (iteration_vectors + product + preconditioner);
 }
 
+/// Of a lattice's nine-point matrix, eliminated within its band.
+inline linear::FactorWork band(double columns, double rows) {
+  const double column = std::min(columns, rows) + 2;  // with its diagonal
+  return {columns * rows * column, columns * rows * column * column};
+}
+
 /// A factorisation: its operations by the solver's own analysis, every entry written once.
 inline Work factorisation(linear::FactorWork factor) {
   return {8 * factor.entries, factor.operations};

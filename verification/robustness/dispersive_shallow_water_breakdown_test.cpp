@@ -75,20 +75,15 @@ TEST_CASE("a pressure that is not a number stops with time, step and position", 
   }
 }
 
-TEST_CASE("steps beyond the stability limit are counted, and too long ones stop", "[robustness]") {
+TEST_CASE("steps far beyond the stability limit stop", "[robustness]") {
   Check check("dispersive_long_steps", "Steps beyond the stability limit",
-              "The limit is $2\\sqrt{\\alpha H/g}$, 1.155 on still water of depth 1. Longer steps are taken and "
-              "counted; a wave with steps of 20 sqrt(h/g) makes nodes cross or the iteration fail.");
+              "The limit is $2\\sqrt{\\alpha H/g}$, 1.155 on still water of depth 1. Steps of 20 sqrt(h/g) make the "
+              "nodes of a wave cross or the iteration fail.");
   const Channel channel{.bottom = std::make_shared<LevelBottom>(1.0)};
   Flow still(channel, still_markers(channel, equal_labels(channel, 0, 10, 40)));
   const double limit = still.stable_step();
   check.holds("The limit on still water is 2 (1/3)^(1/2).", {limit},
               Roundoff{3, 2, "three rounded operations", 2 / std::sqrt(3.0)});
-  for (int k = 0; k < 3; ++k) still.advance(0.999 * limit);
-  const long below = still.steps_beyond_stability();
-  for (int k = 0; k < 2; ++k) still.advance(1.001 * limit);
-  check.holds("Steps longer than the stable limit are counted.",
-              {static_cast<double>(still.steps_beyond_stability() - 10 * below)}, Bound{0, "two were longer", 2});
   Channel rough = channel;
   rough.friction = {FrictionLaw::quadratic, 0.01};
   for (std::size_t k = 0; k < all_steppings.size(); ++k) {

@@ -81,19 +81,6 @@ void CellWater::set_masses(std::span<const double> masses) {
   for (std::size_t k = 0; k < mass_.size(); ++k) mobility_[k] = freedom_[k].over(mass_[k]);
 }
 
-mechanics::State CellWater::state(const VelocityAt& velocity, double time) const {
-  const std::size_t n = nodes();
-  mechanics::State state{.q = first_.x, .u = std::vector<double>(rates(), 0.0), .time = time};
-  state.q.insert(state.q.end(), first_.y.begin(), first_.y.end());
-  if (!velocity) return state;
-  for (std::size_t k = 0; k < n; ++k) {
-    const Point allowed = freedom_[k](velocity({first_.x[k], first_.y[k]}));
-    state.u[k] = allowed.x;
-    state.u[n + k] = allowed.y;
-  }
-  return state;
-}
-
 void CellWater::linearise(Interval /*when*/, Input q) {
   measure(places(q));
   factor(mobility_);

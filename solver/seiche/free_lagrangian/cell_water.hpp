@@ -66,6 +66,7 @@ void gravity_forces(Places at, std::span<const int> outline, double weight, std:
 using mechanics::Input;
 using mechanics::Interval;
 using mechanics::Output;
+using mechanics::VelocityAt;
 
 struct Settings {
   double gravity = 1;          ///< [m/s^2]
@@ -79,9 +80,6 @@ struct Settings {
   }
 };
 
-/// Velocity of the water at a place; empty: at rest.
-using VelocityAt = std::function<Point(Point place)>;
-
 class CellWater : public mechanics::PointMasses<CellWater> {
  public:
   /// Throws std::invalid_argument: settings out of range, bad meshes.
@@ -89,13 +87,7 @@ class CellWater : public mechanics::PointMasses<CellWater> {
 
   static constexpr bool warm_start = true;
 
-  /// The mesh as it was given with these velocities at its nodes; what walls forbid is taken out, the projection on
-  /// constant areas is mechanics/start.hpp's.
-  [[nodiscard]] mechanics::State state(const VelocityAt& velocity = {}, double time = 0) const;
-
   // What mechanics/constrained_model.hpp asks for.
-  [[nodiscard]] std::size_t coordinates() const { return 2 * nodes(); }
-  [[nodiscard]] std::size_t rates() const { return 2 * nodes(); }
   [[nodiscard]] std::size_t constraints() const { return nodes(); }
   /// Throws mechanics::Infeasible where the mesh tangles, and without stabilisation where A is singular.
   void linearise(Interval when, Input q);
@@ -107,7 +99,6 @@ class CellWater : public mechanics::PointMasses<CellWater> {
   void solve(Input right_hand_side, Output mu) { areas_.solve(right_hand_side, mu); }
   /// A_i - m_i/rho.
   void constraint_values(Input q, Output f) const;
-  [[nodiscard]] double place(std::size_t rate) const { return first_.x[rate % nodes()]; }
 
   [[nodiscard]] double potential_energy(Input q) const {
     return free_lagrangian::potential_energy(places(q), outline(), weight());
@@ -129,6 +120,7 @@ class CellWater : public mechanics::PointMasses<CellWater> {
   [[nodiscard]] std::size_t nodes() const { return mass_.size(); }
   [[nodiscard]] const Settings& settings() const { return settings_; }
   [[nodiscard]] std::span<const double> masses() const { return mass_; }
+  [[nodiscard]] Places given() const { return first_.places(); }
   /// As many as there are nodes, all positive. The next linearise is the first to see them.
   void set_masses(std::span<const double> masses);
   /// What the walls leave free, one per node.

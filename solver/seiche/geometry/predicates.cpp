@@ -1,97 +1,78 @@
 #include "seiche/geometry/predicates.hpp"
 
+#include <algorithm>
 #include <array>
-#include <cstddef>
+#include <limits>
+
+#include <boost/multiprecision/cpp_int.hpp>
 
 namespace seiche::exactly {
 
 namespace {
 
-/// The sum of terms that do not overlap, smallest first, none of them zero.
-template <std::size_t Most>
-struct Expansion {
-  std::array<double, Most> term;  // NOLINT(cppcoreguidelines-pro-type-member-init): only `terms` of them are numbers
-  std::size_t terms = 0;
+using Integer = boost::multiprecision::cpp_int;
 
-  /// Shewchuk's grow-expansion with elimination of zeros.
-  void add(double value) {
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < terms; ++i) {
-      const double sum = value + term[i];
-      const double part = sum - value;
-      const double error = (value - (sum - part)) + (term[i] - part);
-      if (error != 0) term[kept++] = error;
-      value = sum;
+/// Points as whole multiples of one power of two.
+template <std::size_t Points>
+class Whole {
+ public:
+  struct Vector {
+    Integer x, y;
+  };
+
+  explicit Whole(const std::array<Point, Points>& points) {
+    for (const Point& p : points) {
+      finite_ = finite_ && std::isfinite(p.x) && std::isfinite(p.y);
+      for (const double c : {p.x, p.y}) {
+        if (c != 0) unit_ = std::min(unit_, std::ilogb(c) - 52);
+      }
     }
-    if (value != 0) term[kept++] = value;
-    terms = kept;
+    for (std::size_t k = 0; finite_ && k < Points; ++k) points_[k] = {times_unit(points[k].x), times_unit(points[k].y)};
   }
-  void add_product(double a, double b) {
-    const double product = a * b;
-    add(std::fma(a, b, -product));
-    add(product);
+  /// From the last point to the k-th.
+  [[nodiscard]] Vector vector(std::size_t k) const {
+    const auto& [x, y] = points_[Points - 1];
+    return {points_[k].x - x, points_[k].y - y};
   }
-  template <std::size_t Other>
-  void add(const Expansion<Other>& other, double sign = 1) {
-    for (std::size_t i = 0; i < other.terms; ++i) add(sign * other.term[i]);
+  /// A sum of products of so many coordinates. NaN where the points were not finite.
+  [[nodiscard]] double value(const Integer& sum, int coordinates) const {
+    if (!finite_) return std::numeric_limits<double>::quiet_NaN();
+    // As many digits as a double has: the rest would not fit its range.
+    const int beyond = sum == 0 ? 0 : std::max(0, static_cast<int>(msb(abs(sum))) - 60);
+    return std::ldexp(static_cast<double>(Integer(sum / (Integer(1) << beyond))), beyond + coordinates * unit_);
   }
-  /// The largest term has the sign of the sum, and is within a rounding of it.
-  [[nodiscard]] double value() const { return terms == 0 ? 0 : term[terms - 1]; }
+
+ private:
+  [[nodiscard]] Integer times_unit(double c) const {
+    const int shift = c == 0 ? 0 : std::ilogb(c) - 52;
+    return Integer(static_cast<long long>(std::ldexp(c, -shift))) * (Integer(1) << (c == 0 ? 0 : shift - unit_));
+  }
+
+  bool finite_ = true;
+  int unit_ = 1024;
+  std::array<Vector, Points> points_;
 };
 
-Expansion<2> difference(double a, double b) {
-  Expansion<2> result;
-  result.add(a);
-  result.add(-b);
-  return result;
+template <class Vector>
+Integer cross(const Vector& a, const Vector& b) {
+  return a.x * b.y - a.y * b.x;
 }
-
-template <std::size_t N, std::size_t M>
-Expansion<2 * N * M> product(const Expansion<N>& a, const Expansion<M>& b) {
-  Expansion<2 * N * M> result;
-  for (std::size_t i = 0; i < a.terms; ++i) {
-    for (std::size_t j = 0; j < b.terms; ++j) result.add_product(a.term[i], b.term[j]);
-  }
-  return result;
-}
-
-struct Vector {
-  Expansion<2> x, y;
-};
-
-Vector vector(Point from, Point to) {
-  return {difference(to.x, from.x), difference(to.y, from.y)};
-}
-
-Expansion<16> cross(const Vector& a, const Vector& b) {
-  Expansion<16> result;
-  result.add(product(a.x, b.y));
-  result.add(product(a.y, b.x), -1);
-  return result;
-}
-
-Expansion<16> square(const Vector& a) {
-  Expansion<16> result;
-  result.add(product(a.x, a.x));
-  result.add(product(a.y, a.y));
-  return result;
+template <class Vector>
+Integer square(const Vector& a) {
+  return a.x * a.x + a.y * a.y;
 }
 
 }  // namespace
 
 double orientation(Point a, Point b, Point c) {
-  return cross(vector(c, a), vector(c, b)).value();
+  const Whole<3> whole({a, b, c});
+  return whole.value(cross(whole.vector(0), whole.vector(1)), 2);
 }
 
 double in_circle(Point a, Point b, Point c, Point d) {
-  const Vector da = vector(d, a);
-  const Vector db = vector(d, b);
-  const Vector dc = vector(d, c);
-  Expansion<1536> inside;
-  inside.add(product(square(da), cross(db, dc)));
-  inside.add(product(square(db), cross(dc, da)));
-  inside.add(product(square(dc), cross(da, db)));
-  return inside.value();
+  const Whole<4> whole({a, b, c, d});
+  const auto da = whole.vector(0), db = whole.vector(1), dc = whole.vector(2);
+  return whole.value(square(da) * cross(db, dc) + square(db) * cross(dc, da) + square(dc) * cross(da, db), 4);
 }
 
 }  // namespace seiche::exactly

@@ -1,8 +1,8 @@
 /// Signs that are right for every input: on which side of a line, inside or outside a circle.
 ///
-/// Evaluated in double precision; where the error bound of that does not settle the sign, in exact arithmetic on
-/// expansions, unevaluated sums of numbers that do not overlap. A mesh that is decided upon with them cannot contradict
-/// itself. Right unless a product of four coordinates under- or overflows.
+/// Evaluated in double precision; where the error bound of that does not settle the sign, in whole numbers of
+/// Boost.Multiprecision, about a microsecond. A mesh that is decided upon with them cannot contradict itself. Right
+/// unless a product of four coordinates under- or overflows.
 ///
 /// Reference: Shewchuk, Adaptive precision floating-point arithmetic and fast robust geometric predicates, Discrete
 /// Comput. Geom. 18 (1997) 305.

@@ -19,8 +19,6 @@ class Flow : public mechanics::ModelFlow<Model> {
  public:
   /// No shorter step of the one-step scheme is unstable on the first lattice: 2/omega of a mode as fast as any of its.
   [[nodiscard]] double stable_step() const { return stable_step_; }
-  /// Steps that were longer than that: a warning, not an error.
-  [[nodiscard]] long steps_beyond_stability() const { return beyond_stability_; }
 
   [[nodiscard]] std::span<const double> x() const { return axis(state_.q, 0); }
   [[nodiscard]] std::span<const double> y() const { return axis(state_.q, 1); }
@@ -62,7 +60,6 @@ class Flow : public mechanics::ModelFlow<Model> {
       stepper_->step(state_, tau);
     }
     fresh_ = false;
-    if (tau > stable_step_) ++beyond_stability_;
   }
 
  private:
@@ -76,7 +73,6 @@ class Flow : public mechanics::ModelFlow<Model> {
   bool smooth_start_ = true;
   bool fresh_ = true;  // no step yet since it began
   double stable_step_ = 0;
-  long beyond_stability_ = 0;
 };
 
 }  // namespace seiche::lattice

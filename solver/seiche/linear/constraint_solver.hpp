@@ -161,8 +161,6 @@ class ConstraintSolver {
     iterations_ += gradients_->solve(right_hand_side, x, tolerance > 0 ? tolerance : tolerance_);
   }
 
-  /// Of the last factor; nothing of the iterative method.
-  [[nodiscard]] FactorWork factor_work() const { return banded_ ? banded_->work() : FactorWork{}; }
   [[nodiscard]] long factorisations() const { return factorisations_; }
   [[nodiscard]] long solutions() const { return solutions_; }
   [[nodiscard]] long iterations() const { return iterations_; }

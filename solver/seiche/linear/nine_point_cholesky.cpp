@@ -230,19 +230,6 @@ void NinePointCholesky::factor(const StencilMatrix& a) {
   Kernels::factor(*this, a);
 }
 
-FactorWork NinePointCholesky::work() const {
-  constexpr double product = 2.0 * Block::n * Block::n * Block::n;
-  FactorWork work;
-  const auto add = [&](const BlockColumn& column) {
-    const auto below = static_cast<double>(column.reach);
-    work.entries += (below + 1) * Block::n * Block::n;
-    work.operations += (below * (below + 1) / 2 + below + 1) * product;  // updates, division, inverse
-  };
-  for (const BlockColumn& column : front_.columns) add(column);
-  for (const BlockColumn& column : back_.columns) add(column);
-  return work;
-}
-
 void NinePointCholesky::solve(std::span<const double> right_hand_side, std::span<double> x) const {
   std::fill(front_.x.end() - 2, front_.x.end(), Segment{});
   std::fill(back_.x.begin() + static_cast<std::ptrdiff_t>(each_), back_.x.end(), Segment{});

@@ -40,8 +40,6 @@ class NinePointCholesky {
   void solve(std::span<const double> right_hand_side, std::span<double> x) const;
 
   [[nodiscard]] std::size_t size() const { return columns_ * rows_; }
-  /// Of the blocks, whatever fills them.
-  [[nodiscard]] FactorWork work() const;
 
  private:
   using Block = dense_block::Block;

@@ -6,12 +6,14 @@
 
 #include <array>
 #include <concepts>
+#include <functional>
 #include <limits>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "seiche/compensated_sum.hpp"
+#include "seiche/geometry/triangulation.hpp"
 #include "seiche/mechanics/constrained_model.hpp"
 #include "seiche/mechanics/state.hpp"
 #include "seiche/model.hpp"
@@ -123,11 +125,31 @@ class InvariantsWatch {
   std::vector<double> values_;
 };
 
-/// Momenta and energy of point masses in a plane, q = (x of all, y of all), u = (velocities along x, along y).
-/// @tparam Model  derives from it and gives masses() [kg/m]
+/// Velocity of the water at a place; empty: at rest.
+using VelocityAt = std::function<Point(Point place)>;
+
+/// State, momenta and energy of point masses in a plane, q = (x of all, y of all), u = (velocities along x, along y).
+/// @tparam Model  derives from it and gives masses() [kg/m], the places given() and, where walls hold some, freedom()
 template <class Model>
 class PointMasses {
  public:
+  [[nodiscard]] std::size_t coordinates() const { return 2 * model().masses().size(); }
+  [[nodiscard]] std::size_t rates() const { return coordinates(); }
+  [[nodiscard]] double place(std::size_t rate) const { return model().given().x[rate % model().masses().size()]; }
+  /// Where the masses were given, with these velocities without what walls forbid; not projected.
+  [[nodiscard]] State state(const VelocityAt& velocity = {}, double time = 0) const {
+    const auto [x, y] = model().given();
+    const std::size_t n = x.size();
+    State state{.q = {x.begin(), x.end()}, .u = std::vector<double>(2 * n), .time = time};
+    state.q.insert(state.q.end(), y.begin(), y.end());
+    for (std::size_t k = 0; velocity && k < n; ++k) {
+      Point u = velocity({x[k], y[k]});
+      if constexpr (requires { model().freedom(); }) u = model().freedom()[k](u);
+      state.u[k] = u.x;
+      state.u[n + k] = u.y;
+    }
+    return state;
+  }
   [[nodiscard]] double mass() const {  ///< [kg/m]
     return sum([](std::size_t, std::size_t) { return 1.0; });
   }
@@ -143,10 +165,11 @@ class PointMasses {
   }
 
  private:
+  [[nodiscard]] const Model& model() const { return static_cast<const Model&>(*this); }
   /// Of mass times term(node, nodes).
   template <class Term>
   [[nodiscard]] double sum(const Term& term) const {
-    const std::span<const double> masses = static_cast<const Model&>(*this).masses();
+    const std::span<const double> masses = model().masses();
     CompensatedSum all;
     for (std::size_t k = 0; k < masses.size(); ++k) all.add(masses[k] * term(k, masses.size()));
     return all.value();

@@ -46,7 +46,6 @@ class PlaneFlow : public ModelFlow<Model> {
   using ModelFlow<Model>::model_, ModelFlow<Model>::state_, ModelFlow<Model>::watch_;
 
   /// Projects the first velocities on the constraints. Throws std::invalid_argument where the model cannot start.
-  template <class VelocityAt>
   PlaneFlow(std::unique_ptr<Model> model, const VelocityAt& velocity) {
     State state = model->state(velocity);
     this->begin_at_first(std::move(model), std::move(state));
@@ -86,7 +85,6 @@ class OneStepFlow : public PlaneFlow<Model> {
 
  protected:
   /// @param drift_feedback  share of the drift of the constraints that a step takes back, in [0, 1]
-  template <class VelocityAt>
   OneStepFlow(std::unique_ptr<Model> model, const VelocityAt& velocity, double drift_feedback = 0)
       : PlaneFlow<Model>(std::move(model), velocity), feedback_(drift_feedback) {
     require_within("drift_feedback", drift_feedback, 0, 1);

@@ -36,20 +36,17 @@ struct Bars {
     return zeta;
   }
 
-  /// The bottom under x, its slope and second derivative.
+  /// Elevation, slope and second derivative of the bottom under x, also where there are no bars.
   struct Bottom {
     double elevation, slope, curvature;
   };
   [[nodiscard]] Bottom bottom(double x) const {
-    double s = x;
-    for (int i = 0; i < 8; ++i) {
-      s -= (s - half_height * std::sin(number * s) - x) / (1 - number * half_height * std::cos(number * s));
-    }
-    const double up = half_height * std::cos(number * s);
-    const double along = half_height * std::sin(number * s);
-    const double stretch = 1 - number * up;
-    return {up - depth, -number * along / stretch,
-            -number * number * (up * stretch - number * along * along) / std::pow(stretch, 3)};
+    Complex zeta(x, -depth);
+    for (int i = 0; i < 8; ++i) zeta -= ((zeta + offset(zeta)).real() - x) / slope(zeta).real();
+    const Complex rate = slope(zeta), bend = -number * number * offset(zeta);
+    const double across = rate.real();
+    return {offset(zeta).imag() - depth, rate.imag() / across,
+            (bend.imag() * across - rate.imag() * bend.real()) / (across * across * across)};
   }
 };
 

@@ -231,10 +231,6 @@ WavesInTank::Linear WavesInTank::linear(double x, double y, double t) const {
   return sum;
 }
 
-ow::Bars::Bottom WavesInTank::bottom(double x) const {
-  return bars_.bottom(x);
-}
-
 double WavesInTank::significant_height() const {
   double squares = 0;
   for (const Mode& mode : modes_) squares += mode.amplitude * mode.amplitude;

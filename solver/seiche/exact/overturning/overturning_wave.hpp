@@ -169,15 +169,15 @@ class WavesInTank : public overturning::MovingSurface {
     double discharge = 0;  ///< of the water below y, towards +x [m^2/s]
   };
   [[nodiscard]] Linear linear(double x, double y, double t) const;
-  /// Elevation [m], slope [1] and second derivative [1/m] of the bottom under x.
-  [[nodiscard]] overturning::Bars::Bottom bottom(double x) const;
+  /// In metres.
+  [[nodiscard]] const overturning::Bars& bars() const { return bars_; }
 
   [[nodiscard]] SelfTest self_test() const;
 
  private:
   Parameters parameters_;
   std::vector<Mode> modes_;
-  overturning::Bars bars_;  ///< in the units of the user
+  overturning::Bars bars_;
 };
 
 }  // namespace seiche::exact

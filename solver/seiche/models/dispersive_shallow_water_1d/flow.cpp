@@ -22,13 +22,11 @@ Flow::Flow(Channel channel, const Markers& initial, Scheme scheme, Forcing forci
 
 void Flow::advance(double tau) {
   mechanics::require_step(tau);
-  const bool beyond = tau > stable_step();
   if (model_->loses()) {
     step_and_lose(tau);
   } else {
     stepper_->step(state_, tau);
   }
-  if (beyond) ++beyond_stability_;
 }
 
 /// Half of a step's losses before it and half after it: second order, as the step itself.

@@ -43,8 +43,6 @@ class Flow : public mechanics::ModelFlow<Model> {
   /// H (over markers that are not tips) seen in the last step. Conservative steps are stable beyond it but may not
   /// converge.
   [[nodiscard]] double stable_step() const;
-  /// Steps that were longer than that: a warning, not an error.
-  [[nodiscard]] long steps_beyond_stability() const { return beyond_stability_; }
 
   /// Tridiagonal solves so far.
   [[nodiscard]] long solves() const { return model_->solves(); }
@@ -82,7 +80,6 @@ class Flow : public mechanics::ModelFlow<Model> {
 
   std::unique_ptr<mechanics::SchemeStepper<Model>> stepper_;
   CompensatedSum friction_, breaking_, friction_impulse_;
-  long beyond_stability_ = 0;
 };
 
 using mechanics::composition_named;

@@ -14,8 +14,8 @@
 
 namespace seiche::gauss_particles {
 
-Flow::Flow(Particles particles, std::unique_ptr<FieldSpace> space, const Velocity& velocity, Settings settings,
-           Forcing forcing, Stepping stepping)
+Flow::Flow(Particles particles, std::unique_ptr<FieldSpace> space, const mechanics::VelocityAt& velocity,
+           Settings settings, Forcing forcing, Stepping stepping)
     : stepping_(stepping) {
   require_that(!settings.surface || stepping != Stepping::dissipative,
                "gravity on the surface with dissipative stepping; allowed: conservative stepping");

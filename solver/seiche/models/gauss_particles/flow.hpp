@@ -39,11 +39,9 @@ enum class Stepping { conservative, dissipative };
 
 class Flow : public mechanics::ModelFlow<Model> {
  public:
-  using Velocity = std::function<Point(Point place)>;
-
   /// @param velocity  at the beginning, of all particles: exact ones, not projected; empty for rest
-  Flow(Particles particles, std::unique_ptr<FieldSpace> space, const Velocity& velocity = {}, Settings settings = {},
-       Forcing forcing = {}, Stepping stepping = Stepping::conservative);
+  Flow(Particles particles, std::unique_ptr<FieldSpace> space, const mechanics::VelocityAt& velocity = {},
+       Settings settings = {}, Forcing forcing = {}, Stepping stepping = Stepping::conservative);
 
   /// One step, 0 < tau <= 2/sqrt(pi g/h) with h the shortest length that the space resolves.
   void advance(double tau) override;

@@ -42,22 +42,6 @@ Model::Model(Particles particles, std::unique_ptr<FieldSpace> space, Settings se
   }
 }
 
-mechanics::State Model::state(const std::function<Point(Point place)>& velocity, double time) const {
-  mechanics::State state;
-  state.q = particles_.x;
-  state.q.insert(state.q.end(), particles_.y.begin(), particles_.y.end());
-  state.u.assign(rates(), 0.0);
-  state.time = time;
-  if (velocity) {
-    for (std::size_t k = 0; k < size(); ++k) {
-      const Point v = velocity({particles_.x[k], particles_.y[k]});
-      state.u[k] = v.x;
-      state.u[size() + k] = v.y;
-    }
-  }
-  return state;
-}
-
 void Model::linearise(Interval when, Input q) {
   when_ = when;
   places_.assign(q.begin(), q.end());
@@ -176,8 +160,7 @@ void Model::settle(Interval when, Output, Output u) {
 }
 
 double Model::place(std::size_t rate) const {
-  const std::size_t particle = rate % size();
-  return places_.empty() ? particles_.x[particle] : places_[particle];
+  return (places_.empty() ? particles_.x : places_)[rate % size()];
 }
 
 double Model::potential_energy(Input q) const {

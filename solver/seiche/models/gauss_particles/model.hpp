@@ -146,12 +146,7 @@ class Model : public mechanics::PointMasses<Model> {
   /// the particles given).
   Model(Particles particles, std::unique_ptr<FieldSpace> space, Settings settings = {}, Forcing forcing = {});
 
-  /// The particles as they were given, with these velocities. Not projected: exact velocities are the best start.
-  [[nodiscard]] mechanics::State state(const std::function<Point(Point place)>& velocity = {}, double time = 0) const;
-
-  // What mechanics/constrained_model.hpp asks for.
-  [[nodiscard]] std::size_t coordinates() const { return 2 * size(); }
-  [[nodiscard]] std::size_t rates() const { return 2 * size(); }
+  // What mechanics/constrained_model.hpp asks for. The first velocities are not projected: exact ones are best.
   void linearise(Interval when, Input q);
   void enter(Input q, Output u);
   void kick(double h, Output u) const;
@@ -169,6 +164,7 @@ class Model : public mechanics::PointMasses<Model> {
   [[nodiscard]] double penalty_loss() const { return loss_.value(); }
 
   [[nodiscard]] std::size_t size() const { return particles_.size(); }
+  [[nodiscard]] Places given() const { return {particles_.x, particles_.y}; }
   [[nodiscard]] const Particles& particles() const { return particles_; }  ///< at the beginning
   [[nodiscard]] const Settings& settings() const { return settings_; }
   [[nodiscard]] const FieldSpace& space() const { return *space_; }

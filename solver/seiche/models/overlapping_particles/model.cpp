@@ -46,18 +46,6 @@ Model::Model(Particles particles, Settings settings)
   sum_masses(q, first_);
 }
 
-mechanics::State Model::state(const VelocityAt& velocity, double time) const {
-  mechanics::State state{.q = particles_.x, .u = std::vector<double>(rates(), 0.0), .time = time};
-  state.q.insert(state.q.end(), particles_.y.begin(), particles_.y.end());
-  if (!velocity) return state;
-  for (std::size_t k = 0; k < size(); ++k) {
-    const Point u = velocity({particles_.x[k], particles_.y[k]});
-    state.u[k] = u.x;
-    state.u[size() + k] = u.y;
-  }
-  return state;
-}
-
 void Model::require_places(Input q) const {
   if (const std::size_t bad = mechanics::first_not_finite(q); bad < q.size()) {
     const std::size_t k = bad % size();

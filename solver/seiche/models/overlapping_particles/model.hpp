@@ -60,6 +60,7 @@ namespace seiche::overlapping_particles {
 using mechanics::Input;
 using mechanics::Interval;
 using mechanics::Output;
+using mechanics::VelocityAt;
 
 struct Settings {
   Shape shape = Shape::smoothed;
@@ -75,9 +76,6 @@ struct Settings {
   }
 };
 
-/// Velocity of the water at a place; empty: at rest.
-using VelocityAt = std::function<Point(Point place)>;
-
 class Model : public mechanics::PointMasses<Model> {
  public:
   /// Throws std::invalid_argument (particles.hpp): settings out of range, particles at one place, behind
@@ -86,13 +84,7 @@ class Model : public mechanics::PointMasses<Model> {
 
   static constexpr bool warm_start = true;
 
-  /// The particles as they were given with these velocities; the projection on constant masses of the volumes is
-  /// mechanics/start.hpp's.
-  [[nodiscard]] mechanics::State state(const VelocityAt& velocity = {}, double time = 0) const;
-
   // What mechanics/constrained_model.hpp asks for.
-  [[nodiscard]] std::size_t coordinates() const { return 2 * size(); }
-  [[nodiscard]] std::size_t rates() const { return 2 * size(); }
   [[nodiscard]] std::size_t constraints() const { return size(); }
   /// Throws mechanics::Infeasible: a particle that is not at a finite place, at another's, behind a wall, without
   /// neighbours; without stabilisation, where A is singular.
@@ -105,9 +97,9 @@ class Model : public mechanics::PointMasses<Model> {
   void solve(Input right_hand_side, Output mu) { volumes_.solve(right_hand_side, mu); }
   /// f_s - f_s(0).
   void constraint_values(Input q, Output f) const;
-  [[nodiscard]] double place(std::size_t rate) const { return particles_.x[rate % size()]; }
 
   [[nodiscard]] std::span<const double> masses() const { return particles_.mass; }
+  [[nodiscard]] Places given() const { return {particles_.x, particles_.y}; }
   [[nodiscard]] double potential_energy(Input q) const;  ///< g sum m y [J/m]
 
   /// Energy that the stabilisation takes in a step with these impulses of the multipliers, at the last linearisation
