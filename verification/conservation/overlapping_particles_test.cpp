@@ -35,6 +35,9 @@ TEST_CASE("a blob of overlapping particles falls freely", "[conservation]") {
               source);
   const Particles first = shaken(staggered_disc(1, spacing), 0.1 * spacing, 2);
   Flow flow(first, [](Point) { return Point{1.5, 4}; }, {.gravity = 9.81});
+  CHECK((flow.u().size() == first.size() && flow.v().size() == first.size()));
+  CHECK((std::abs(flow.u().front() - 1.5) < 1e-12 && std::abs(flow.u().back() - 1.5) < 1e-12));
+  CHECK((std::abs(flow.v().front() - 4) < 1e-12 && std::abs(flow.v().back() - 4) < 1e-12));
   Worst multiplier;
   march(flow, 2, 0.02, [&] {
     flow.observe();

@@ -72,6 +72,18 @@ TEST_CASE("a tape is read back as it was written", "[checkpoints]") {
   CHECK_THROWS_AS(huge(read), std::out_of_range);
 }
 
+TEST_CASE("an unfinished part is kept at once, and then no oftener than asked", "[checkpoints]") {
+  Folder folder;
+  int state = 1;
+  const auto exchange_state = [&](Tape& tape) { tape(state); };
+  Part part(*folder.open({.resume = true, .every = std::chrono::hours(1)}), "run");
+  part.keep(exchange_state);
+  state = 2;
+  part.keep(exchange_state);
+  CHECK(Part(*folder.open(resuming), "run").resume(exchange_state));
+  CHECK(state == 1);
+}
+
 TEST_CASE("a finished part is computed once, and removed with the folder", "[checkpoints]") {
   Folder folder;
   int computed = 0;

@@ -212,4 +212,16 @@ TEST_CASE("the diagnosis names gauges that are exchanged or cut short, and says 
        "centimetres for metres");
 }
 
+TEST_CASE("findings are shown with their place, their sentence and what they leave of the misfit", "[evidence]") {
+  evidence::Record record;
+  show_diagnosis({}, record);
+  CHECK(record.tables().empty());
+  show_diagnosis({{"eta, x = 2 m", "late", 0.25}, {"depth", "high", 0.5}}, record);
+  REQUIRE(record.tables().size() == 1);
+  const auto& rows = record.tables().front().rows;
+  REQUIRE(rows.size() == 2);
+  CHECK((std::get<std::string>(rows[0][0]) == "eta, x = 2 m" && std::get<std::string>(rows[0][1]) == "late"));
+  CHECK((std::get<double>(rows[0][2]) == 0.25 && std::get<std::string>(rows[1][0]) == "depth"));
+}
+
 }  // namespace seiche::verification::misreading_test

@@ -117,6 +117,8 @@ TEST_CASE("a moving window over still water leaves it at rest", "[robustness]") 
               Bound{0, "every force is exactly zero"});
   check.holds("The moving window has followed the stated reach.", {flow.x().back()},
               Bound{0, "one column of width 1 for each unit of time", 14});
+  check.holds("The west side of the window follows at its length.", {flow.x().front()},
+              Roundoff{3, 14, "a mean over three nodes", 10});
   check.holds("The number of columns left behind by the window is counted.", {static_cast<double>(flow.shifts())},
               Bound{0, "one for each unit of time, once the water beyond the next column stirs", 10});
 }

@@ -71,6 +71,8 @@ TEST_CASE("bad particles, walls and settings are rejected by name", "[robustness
   refusals.refused({"shape = \"cube\"", "smoothed, ball"}, [] { shape_named("cube"); });
   refusals.refused({"radius", "= 0", "positive"}, [] { staggered_disc(0, 0.1); });
   refusals.refused({"upper.y - lower.y", "= -1"}, [] { staggered({.lower = {0, 1}, .upper = {1, 0}}); });
+  refusals.refused({"spacing", "= 0", "positive"}, [] { staggered({.spacing = 0, .upper = {1, 1}}); });
+  refusals.refused({"density", "= 0", "positive"}, [] { staggered({.spacing = 0.1, .upper = {1, 1}, .density = 0}); });
   refusals.refused({"spacing = 1e-06", "at most 1e+07"}, [] { staggered_disc(1, 1e-6); });
 }
 
