@@ -1,10 +1,12 @@
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <map>
 #include <set>
 
 #include "seiche/exact/catalogue.hpp"
+#include "seiche/exact/overturning/overturning_wave.hpp"
 #include "verification/check.hpp"
 
 namespace seiche::verification::catalogue_test {
@@ -68,6 +70,20 @@ TEST_CASE("every entry of the catalogue is complete", "[exact]") {
     }
   }
   CHECK_THROWS_AS(exact::find_solution("no_such_solution"), std::invalid_argument);
+}
+
+TEST_CASE("a surface's curve gives places, potential and velocities in the columns of these names", "[exact]") {
+  const exact::ExactSolution& solution = exact::find_solution("waves_in_tank");
+  std::vector<std::string> names;
+  for (const auto& output : solution.outputs) names.push_back(output.name);
+  CHECK(names == std::vector<std::string>{"x", "y", "phi", "u", "v"});
+  const exact::Evaluator sea =
+      solution.evaluator({{"seed", 3}, {"bar_height", 0.2}, {"bars", 6}, {"markers", 64}, {"last_time", 0.2}});
+  const exact::WavesInTank same({.seed = 3, .bar_height = 0.2, .bars = 6, .markers = 64, .last_time = 0.2});
+  const auto now = same.profile(0.1);
+  const std::vector<std::vector<double>> rows = sea.curve(std::array{0.1});
+  REQUIRE(rows.size() == 64);
+  CHECK(rows[5] == std::vector{now.x[5], now.y[5], now.potential[5], now.u[5], now.v[5]});
 }
 
 TEST_CASE("every exact solution evaluates at its defaults and satisfies its own identities", "[exact]") {

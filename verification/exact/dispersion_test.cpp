@@ -150,6 +150,8 @@ TEST_CASE("a wave is the same by wavelength, period and frequency", "[exact]") {
               "as a progressive wave and to a piston and a flap.");
   const exact::Water water{.gravity = 9.81, .depth = 3};
   const exact::AiryWave wave(0.1, exact::Wavelength{12}, water);
+  CHECK_THROWS_AS(wave.elevation(std::numeric_limits<double>::quiet_NaN(), 0), std::invalid_argument);
+  CHECK_THROWS_AS(wave.elevation(0, std::numeric_limits<double>::infinity()), std::invalid_argument);
   Worst apart;
   for (const exact::WaveScale& given :
        {exact::WaveScale(exact::Period{wave.period()}), exact::WaveScale(exact::AngularFrequency{wave.frequency()})}) {

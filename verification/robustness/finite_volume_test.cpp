@@ -52,6 +52,8 @@ TEST_CASE("finite-volume flow rejects bad input", "[robustness]") {
   CHECK_NOTHROW(march(onto_dry_bed, 0.05));
   FiniteVolumeFlow flow(good, 0, 1, h, q);
   CHECK_THROWS_AS(flow.advance(1), Bad);
+  flow.advance(flow.stable_step());
+  CHECK_THROWS_AS(flow.advance(1), Divergence);
   CHECK(shallow_water_finite_volume::name(Scheme::muscl_hll) == "muscl_hll");
 }
 
