@@ -105,7 +105,8 @@ void claim_linear_theory(Check& check) {
 exact::overturning::State after_steps(int steps) {
   namespace ow = exact::overturning;
   constexpr double end = 2;
-  ow::Stepper stepper(64, std::numbers::pi, [](double x, double t) { return -0.1 * std::sin(t) * std::sin(x - t); });
+  ow::Stepper stepper(64, std::numbers::pi, [](double x, double t) { return -0.1 * std::sin(t) * std::sin(x - t); },
+                      {});
   std::vector<ow::Moment> moments{stepper.begin(0, ow::still_water(64))};
   for (int k = 0; k < steps; ++k) moments.push_back(stepper.step(moments, end / steps).moment);
   return moments.back().state;
