@@ -2,20 +2,22 @@
 Which model suits an irregular sea over bars? Waves of many lengths with random phases over a rippled bottom, computed
 with three models, beside the fully nonlinear potential flow over the same bottom.
 
-**Set-up.** Depth, gravity and density are 1; the tank is 6 long. The bottom has three trochoidal bars, 2 apart and
-`bar_height` high, with crests at both walls: waves of $L = 4$, the peak of the spectrum, are reflected by them in phase
-(Bragg's law, half a wavelength from bar to bar). Seven modes, L/h = 6 to 1.5, share the energy of a JONSWAP spectrum;
-their phases are random, drawn from `seed`. The surface is that of linear theory; velocities keep to the bottom. The
-exact flow starts with the same surface and potential; a conformal map takes the bars to a level bottom, and Cauchy's
-integral there is accurate to spectral order (`seiche exact waves_in_tank`).
+**Set-up.** Depth, gravity and density are 1; the tank is 6 long. The bottom has trochoidal bars, 3 apart and
+`bar_height` high, with crests in the middle and at both walls: waves of $L = 6$, the peak of the spectrum, are
+reflected by them in phase (Bragg's law, half a wavelength from bar to bar). Five modes, L/h = 12 to 2.4, share the
+energy of a JONSWAP spectrum; their phases are random, drawn from `seed`. The surface is that of linear theory;
+velocities keep to the bottom. The exact flow starts with the same surface and potential; a conformal map takes the bars
+to a level bottom, and Cauchy's integral there is accurate to spectral order (`seiche exact waves_in_tank`).
 
-**What is compared.** Elevations along the tank after four periods of the peak: rms over the sum of the amplitudes.
+**What is compared.** Elevations along the tank after three periods of the peak: rms over the sum of the amplitudes.
 
 **What to look at.** The exact sea over a level bottom differs from that over the bars by `yardstick_rms`: a model with
-a larger error has not seen them.
+a larger error has not seen them. Gauss-principle particles resolve it with four cells to the depth; the error of the
+dispersive model is that of its celerities and does not fall with the node spacing.
 
-**Limits of this test.** Breaking is not covered, nor are bars beyond their sharpest, 1 over their wavenumber high.
-Dirichlet cells, variable masses and SPH are absent: their tanks have level bottoms.
+**Limits of this test.** Breaking is not covered, nor are bars beyond their sharpest, 1 over their wavenumber high. The
+Lagrangian mesh tangles over the bars before the end, fine meshes sooner than coarse ones. Dirichlet cells, variable
+masses and SPH are absent: their tanks have level bottoms.
 */
 #include "validation/case/case.hpp"
 #include "validation/case/literature.hpp"
@@ -28,14 +30,17 @@ const std::string source = "potential flow by Cauchy's integral; Frank, Discrete
 tank_sea::Comparison comparison(const Values& values) {
   const double end = values.real("end");
   return {.sea = {.amplitude = values.real("amplitude"),
-                  .last = 8,
-                  .peak = 3,
+                  .first = 1,
+                  .last = 5,
+                  .peak = 2,
                   .seed = static_cast<int>(values.integer("seed")),
                   .bar_height = values.real("bar_height"),
-                  .bars = 6},
+                  .bars = 4},
           .end = end,
           .last = end,
-          .instant = "at the end"};
+          .instant = "at the end",
+          .soon = 25,
+          .tangles = true};
 }
 
 void claims(const Values& values, const Claims<tank_sea::Results>& all) {
@@ -55,11 +60,11 @@ void irregular_sea_bars(Case& c) {
   c.parameters = tank_sea::with_sizes(
       {
           real("amplitude", 0.1, "depth", {0.001, 0.2}, "sum of the amplitudes of the modes"),
-          real("bar_height", 0.3, "depth", {0.001, 0.318}, "from trough to crest"),
+          real("bar_height", 0.3, "depth", {0.001, 0.477}, "from trough to crest"),
           integer("seed", 1L, {1, 1e6}, "of the phases"),
           real("end", 21.0, "sqrt(depth/g)", {1, 100}, "time of the comparison"),
       },
-      64L, true);
+      {16, 32, 32}, true);
   c.study = Study(claims, compute, tank_sea::show, source);
 }
 
