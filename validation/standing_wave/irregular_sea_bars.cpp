@@ -5,15 +5,15 @@ with three models, beside the fully nonlinear potential flow over the same botto
 **Set-up.** Depth, gravity and density are 1; the tank is 6 long. The bottom has trochoidal bars, 3 apart and
 `bar_height` high, with crests in the middle and at both walls: waves of $L = 6$, the peak of the spectrum, are
 reflected by them in phase (Bragg's law, half a wavelength from bar to bar). Five modes, L/h = 12 to 2.4, share the
-energy of a JONSWAP spectrum; their phases are random, drawn from `seed`. The surface is that of linear theory;
+energy of a JONSWAP spectrum; their phases are random, drawn from `seed`. The surface follows linear theory;
 velocities keep to the bottom. The exact flow starts with the same surface and potential; a conformal map takes the bars
 to a level bottom, and Cauchy's integral there is accurate to spectral order (`seiche exact waves_in_tank`).
 
 **What is compared.** Elevations along the tank after three periods of the peak: rms over the sum of the amplitudes.
 
-**What to look at.** The exact sea over a level bottom differs from that over the bars by `yardstick_rms`: a model with
-a larger error has not seen them. Gauss-principle particles resolve it with four cells to the depth; the error of the
-dispersive model is that of its celerities and does not fall with the node spacing.
+**What to look at.** The exact sea over a level bottom differs from the sea over the bars by `yardstick_rms`: a model
+with a larger error has not seen them. Gauss-principle particles resolve it with four cells to the depth; the error of
+the dispersive model comes from its celerities and does not fall with the node spacing.
 
 **Limits of this test.** Breaking is not covered, nor are bars beyond their sharpest, 1 over their wavenumber high. The
 Lagrangian mesh tangles over the bars before the end, fine meshes sooner than coarse ones. Dirichlet cells, variable

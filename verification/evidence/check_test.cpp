@@ -60,7 +60,7 @@ TEST_CASE("a record is written, also after an exception") {
   }
 }
 
-TEST_CASE("a claim has the source and resolution stated for it, others those of their check") {
+TEST_CASE("a claim has the source and resolution stated for it, otherwise its check's") {
   const Elsewhere elsewhere;
   {
     Check check("sources", "Sources", "What each claim says of itself.", "of the check");

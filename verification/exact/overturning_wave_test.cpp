@@ -248,13 +248,15 @@ TEST_CASE("waves over bars keep to the bottom and have the frequency of Bragg's 
     gradient.add(difference([&](double d) { return sea.linear(s + d, y, 0).potential; }, 1e-3) - here.velocity.u);
     gradient.add(difference([&](double d) { return sea.linear(s, y + d, 0).potential; }, 1e-3) - here.velocity.v);
   }
-  check.that("bottom", "The bottom is the trochoid, with its slope and second derivative.",
+  check.that("bottom", "The bottom, its slope and its second derivative agree with the trochoid to 1e-8.",
              "largest departure from the trochoid and from differences", {bottom.value()},
              Bound{1e-8, "fourth-order differences of step 0.001 of a curve whose fifth derivative is below 1e4"});
-  check.that("through", "No water crosses the bottom at the start.", "largest velocity across over the amplitude",
-             {through.value()}, Bound{1e-13, "rounding of eight modes and of Newton's iteration"});
-  check.that("gradient", "The velocities at the start are the gradient of the potential.", "largest departure [m/s]",
-             {gradient.value()}, Bound{1e-10, "fourth-order differences of step 0.001, rounding over it"});
+  check.that("through", "The velocity through the bottom is zero at the start.",
+             "largest velocity across over the amplitude", {through.value()},
+             Bound{1e-13, "rounding of eight modes and of Newton's iteration"});
+  check.that("gradient", "The velocities at the start equal the gradient of the potential to 1e-10 m/s.",
+             "largest departure [m/s]", {gradient.value()},
+             Bound{1e-10, "fourth-order differences of step 0.001, rounding over it"});
   self_test_holds(check, "bars", sea);
 
   const double k = std::numbers::pi / 2;
@@ -288,8 +290,7 @@ TEST_CASE("waves over bars keep to the bottom and have the frequency of Bragg's 
   check.that("bragg",
              "Bars, in the limit of low ones, raise the squared frequency of waves of twice their spacing by "
              "g b k^2/(2 cosh^2 kh).",
-             "shift over that of first-order theory, from bars of 0.025 and 0.05 depths",
-             {2 * shift(0.025) - shift(0.05)},
+             "shift over first-order theory's, from bars 0.025 and 0.05 high", {2 * shift(0.025) - shift(0.05)},
              Bound{1.5e-3, "(n b)^2 = 0.039^2: the term after the one that both heights together take out", 1});
 }
 

@@ -90,7 +90,7 @@ TEST_CASE("bad meshes and settings of the 2DH model are rejected with name, valu
   });
 }
 
-TEST_CASE("the longest stable step of the 2DH model is that of the fastest mode", "[robustness]") {
+TEST_CASE("the longest stable step of the 2DH model follows from the fastest mode", "[robustness]") {
   Check check("dispersive_2dh_stability", "Two-dimensional horizontal model: the longest stable step",
               "The longest stable step is at least 2/omega of the fastest mode, $\\omega < \\sqrt{g/(\\alpha H)}$, "
               "whatever the cells.");
