@@ -146,5 +146,6 @@ def test_work_apart_tells_what_it_did_and_how_it_ended(capfd):
     # No more than is allowed here already.
     least = [most if (here := resource.getrlimit(what)[1]) == resource.RLIM_INFINITY else min(most, here)
              for what, most in limits]
-    assert adapt.apart(lambda: repr([resource.getrlimit(what) for what, _ in limits]))[1] == repr([(k, k) for k in least])
+    told = adapt.apart(lambda: repr([resource.getrlimit(what) for what, _ in limits]))[1]
+    assert told == repr([(most, most) for most in least])
     assert limits[0][1] == 16 * 2**30 and limits[1][1] == 600
