@@ -263,7 +263,7 @@ TEST_CASE("waves over bars keep to the bottom and have the frequency of Bragg's 
              "largest departure [m/s]", {gradient.value()},
              Bound{1e-12, "differences err by s^4/480 = 2e-15 of k^5 phi = 4.2^5 0.05, and round 0.05 over 0.001"});
   check.that("surface",
-             "The velocities of the surface, from its potential alone, equal those of the water to 1e-11 m/s.",
+             "The surface velocities from the surface potential equal the velocities in the water to 1e-11 m/s.",
              "largest departure at t = 0 [m/s]", {surface.value()},
              Bound{1e-11, "integral equation solved to 1e-15, kernels rounded at neighbouring markers 0.025 apart"});
   self_test_holds(check, "bars", sea);
