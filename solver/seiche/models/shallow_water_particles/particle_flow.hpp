@@ -193,7 +193,6 @@ class ParticleFlow {
 
   [[nodiscard]] double mass() const { return compensated_sum(now_.mass); }                    ///< total [m^2]
   [[nodiscard]] double momentum() const { return total_momentum(now_.mass, now_.velocity); }  ///< total [m^3/s]
-  [[nodiscard]] double length() const { return now_.edge.back() - now_.edge.front(); }
   [[nodiscard]] double mass_defect() const { return mass() - ledger_.initial_mass - ledger_.booked_mass(); }
   [[nodiscard]] double momentum_defect() const {
     return momentum() - ledger_.initial_momentum - ledger_.booked_impulse();
@@ -325,6 +324,7 @@ class ParticleFlow {
   std::vector<InteriorJump> jumps_;
   std::vector<Structure> structures_;
   std::vector<Collision> collisions_;
+  std::array<State, 2> at_end_{};  // beside the end's edge, half a step on
   std::array<std::optional<State>, 2> ahead_at_wall_;
   std::array<double, 2> front_velocity_{};
   std::array<TipProfile, 2> tip_{};

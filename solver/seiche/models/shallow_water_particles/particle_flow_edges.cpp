@@ -136,8 +136,7 @@ void ParticleFlow::solve_end(Side s, double tau) {
   const double g = forcing_.gravity;
   const std::size_t i = s.particle(0);
   const std::size_t k = s.edge(0);
-  const EdgePair values = edges_of(i, 0.5 * tau);
-  const State inner = s.right ? State{values.h_right, values.u_right} : State{values.h_left, values.u_left};
+  const State inner = at_end_[s.index()];
   if (const auto wall = wall_velocity(s, time() + 0.5 * tau)) {
     const double out = s.outward() * inner.velocity;
     const double mirror = 2 * s.outward() * *wall - out;

@@ -50,11 +50,14 @@ void ParticleFlow::predict_particles(double tau, std::size_t first, std::size_t 
                  0.5 * tau},
                 end - begin);
   }
-  // Ends, particles that hold a jump, and neighbours of both are not plain.
+  // Ends, neighbours of a tip, particles that hold a jump and their neighbours are not plain.
   const auto again = [&](std::size_t i) {
     if (i >= first && i < last) one(i);
   };
-  for (const std::size_t i : {std::size_t{0}, std::size_t{1}, count - 2, count - 1}) again(i);
+  for (const Side s : {side(false), side(true)}) {
+    again(s.particle(0));
+    if (has_tip(s)) again(s.particle(1));
+  }
   const auto near = std::lower_bound(structures_.begin(), structures_.end(), first,
                                      [](const Structure& s, std::size_t v) { return s.particle + 1 < v; });
   for (auto s = near; s != structures_.end() && s->particle <= last; ++s) {
@@ -72,6 +75,8 @@ void ParticleFlow::solve_stretch(double tau, std::size_t first, std::size_t last
   solve_row({values.right_depth.data(), values.right_velocity.data(), &values.left_depth[1], &values.left_velocity[1],
              &edge_velocity_[edge], &edge_thrust_[edge], forcing_.gravity},
             last - edge);
+  if (first == 0) at_end_[0] = {values.left_depth[0], values.left_velocity[0]};
+  if (last == now_.size()) at_end_[1] = {values.right_depth[last - edge], values.right_velocity[last - edge]};
   if (!keeps_edge_values()) return;
   for (std::size_t k = 0; k < 4; ++k) {
     std::copy_n(values.all()[k]->data() + (first - from), last - first, values_.all()[k]->data() + first);
