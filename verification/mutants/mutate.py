@@ -11,7 +11,8 @@ its changes. Of the checks that decide the file (fingerprints) the cheapest run 
     survived           nothing notices; says how many of the checks ran before --budget was spent
     equivalent         as survived; marked by hand, with a reason, in the record
 
-A change that does not compile is drawn anew. From forty on, changes are compiled together (together.py). Results go to the record one by one; the same seed goes on where it ended.
+A change that does not compile is drawn anew. From forty on, changes are compiled together (together.py). Results go to
+the record one by one; the same seed goes on where it ended.
 With --seeded, the faults of seeded/*.toml are tried, each against the one claim that must notice. Status 1 if a seeded
 fault survives, or a change of --changed; 2 for wrong input.
 """
