@@ -165,16 +165,14 @@ StepLimit ParticleFlow::step_limit(double courant, bool named) const {
   }
   if (!named || limit.particle != count) return limit;
   // Only rates are kept from step to step: look for the particle that has it, which was rounded in another order.
-  const bool by_celerity = limit.tau == courant / celerity_rate_;
   constexpr double nearly = 1 - 1e-12;
-  std::size_t who = 0;
-  if (by_celerity) {
+  std::size_t& who = limit.particle = 0;
+  if (limit.tau == courant / celerity_rate_) {
     while (who + 1 < count && celerity(who) * inv_width(who) < nearly * celerity_rate_) ++who;
   } else {
     const auto closing = [&](std::size_t i) { return (now_.velocity[i] - now_.velocity[i + 1]) * inv_width(i); };
     while (who + 2 < count && closing(who) < nearly * closing_rate_) ++who;
   }
-  limit.particle = who;
   return limit;
 }
 
