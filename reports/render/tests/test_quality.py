@@ -2,6 +2,7 @@
 import math
 import pathlib
 import re
+import runpy
 import tempfile
 import types
 import unittest
@@ -143,6 +144,12 @@ class Coverage(unittest.TestCase):
                          [("solver/seiche/exact", 120, 100), ("solver/seiche/models/wcsph", 50, 50),
                           ("validation/bore", 10, 9)])
         self.assertEqual([room.wanting for room in self.rooms], [True, False, False])
+
+    def test_what_the_check_writes_is_read(self):
+        check = runpy.run_path(str(pathlib.Path(coverage.__file__).parents[2] / "ci/checks/coverage"))
+        rows = [("solver/seiche/exact/bore.cpp", 100, 95), ("validation/bore/bore.cpp", 10, 9)]
+        check["write"](rows, self.folder / "written.csv")
+        self.assertEqual(coverage.read(self.folder / "written.csv"), rows)
 
     def test_the_page_names_what_a_room_lacks(self):
         page = body("coverage", rooms=self.rooms, wanted_lines=coverage.WANTED)
