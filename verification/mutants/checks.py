@@ -13,6 +13,7 @@ import threading
 import xml.etree.ElementTree as xml
 
 PROJECT = {  # what else decides a file, by its path: programs of ci.* and of the report, the cheapest first
+    "reports/render/atlas": ["ci/tests/test_command.py"],
     "reports/render/": ["reports/render/tests"],
     "solver/python/module": ["solver/python/tests"],
     "solver/python/seiche/adapt": ["ci/tests/test_adapt.py"],
