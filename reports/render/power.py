@@ -4,7 +4,7 @@ import functools
 
 from render import files
 
-SIZED = ("amplitude", "datum", "shift", "dilation", "smoothed", "gravity")
+SIZED = ("amplitude", "datum", "shift", "dilation", "smoothing", "gravity")
 
 
 @functools.cache

@@ -317,7 +317,7 @@ class Battery {
     add(row("dilation", "1"), 1, of_size([=](const SubmittedGroup& g, double x, double s) {
           return held_at(g, name, g.abscissa.front() + (1 + s) * (x - g.abscissa.front()));
         }));
-    add(row("smoothed", along), longest, of_size([=](const SubmittedGroup& g, double x, double s) {
+    add(row("smoothing", along), longest, of_size([=](const SubmittedGroup& g, double x, double s) {
           constexpr int samples = 32;
           double sum = 0;
           for (int k = 0; k < samples; ++k) sum += held_at(g, name, x + s * length(g) * ((k + 0.5) / samples - 0.5));

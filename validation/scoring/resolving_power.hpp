@@ -4,7 +4,7 @@
 /// way at a time, and judged as any submission is. With L the length of the record, R the range of the reference over
 /// all groups of the table, and both signs tried:
 ///
-///     amplitude  y (1 +- s)              shift   y(x +- s L), ends held      smoothed  mean of y over s L about x
+///     amplitude  y (1 +- s)              shift   y(x +- s L), ends held      smoothing mean of y over s L about x
 ///     datum      y +- s R                dilation  y(x_0 + (1 +- s)(x - x_0))  gravity  the case's own
 ///                                                                                    reference with g (1 +- s)
 ///
@@ -46,7 +46,7 @@ struct Resolved {
 std::vector<Resolved> resolving_power(const Case& one, const Values& values);
 
 /// What is detected of a quantity, in one line: "h detects 5 % of amplitude, 0.02 m of datum; does not detect
-/// smoothed".
+/// smoothing".
 std::string told_by(const std::vector<Resolved>& rows, const std::string& table, const std::string& quantity);
 
 /// The rows of every case in the table that comes with the program, reports/record/resolving_power.csv.
