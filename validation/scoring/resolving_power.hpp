@@ -4,7 +4,7 @@
 /// way at a time, and judged as any submission is. With L the length of the record, R the range of the reference over
 /// all groups of the table, and both signs tried:
 ///
-///     amplitude  y (1 +- s)              shift   y(x +- s L), ends held      smoothing mean of y over s L about x
+///     amplitude  y (1 +- s)              shift   y(x +- s L), ends held      smoothing  mean of y over s L about x
 ///     datum      y +- s R                dilation  y(x_0 + (1 +- s)(x - x_0))  gravity  the case's own
 ///                                                                                    reference with g (1 +- s)
 ///
