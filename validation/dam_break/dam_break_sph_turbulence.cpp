@@ -17,8 +17,8 @@ smaller, in the time $t\sqrt{g/a}$, without and with one shift of the time origi
 **What to look at.** Spray rises above the walls; there is no lid. Particles that leave the tank are counted. The
 publication's two wall layers are no denser than one of the two particle arrangements of its water, and on impact some
 water passes between them (`--set wall_rows=2`); the publication does not state its loss. A third layer retains all
-water. At $a/60$, in a square arrangement, one of 4776 particles passed the walls in an earlier version of the program and
-none does in this one; the cause is not known.
+water. At $a/60$, in a square arrangement, an earlier version of the program lost one of 4776 particles; this version
+loses none, nor with time steps changed by one part in ten million. The cause is not known.
 */
 #include <array>
 #include <cmath>
