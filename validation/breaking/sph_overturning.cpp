@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "seiche/divergence.hpp"
 #include "seiche/exact/dispersion.hpp"
 #include "seiche/models/wcsph/scene.hpp"
 #include "seiche/samples.hpp"
@@ -112,7 +113,7 @@ void exchange(Tape& tape, Polyline& line) {
 
 void exchange(Tape& tape, SphOverturned& r) {
   tape(r.spacing, r.smoothing_length, r.particles, r.steps, r.times, r.surfaces, r.speed, r.snapshots, r.kinetic,
-       r.energy, r.level, r.hangs_over, r.touches, r.cavity, r.extremes);
+       r.energy, r.level, r.hangs_over, r.touches, r.cavity, r.breaks_up, r.extremes);
 }
 
 SphOverturned overturn(const SphOverturning& setup, const std::vector<double>& times, double overhang, long watched,
@@ -139,28 +140,33 @@ SphOverturned overturn(const SphOverturning& setup, const std::vector<double>& t
   std::size_t next = 0;
   long n = 0;
   const auto state = [&](Tape& tape) { tape(n, next, result, flow); };
-  for (part.resume(state); n <= watched; ++n) {
-    part.keep(state);
-    const double watch = static_cast<double>(n) * interval;
-    for (; next < times.size() && times[next] <= watch + 1e-9 * interval; ++next) {
-      march(flow, times[next]);
-      const std::vector<Contour> curves = look();
-      const Contour* main = wcsph::main_surface(curves);
-      if (main == nullptr || main->x.size() < 2)
-        throw std::runtime_error(fmt::format("no water surface at t = {:g} s", flow.time()));
-      Polylines surface{{main->x, main->z}};
-      for (double& y : surface.front().y) y -= setup.wave.depth;
-      result.times.push_back(times[next]);
-      result.surfaces.push_back(std::move(surface));
-      result.speed.push_back(fastest(flow.particles()));
-      result.snapshots.push_back(flow.particles());
-      result.kinetic.push_back(flow.totals().kinetic / setup.settings.density);
-      result.energy.push_back(wave_energy(flow, setup.wave) / first_energy);
-      result.level.push_back(mean_level(flow, setup));
+  try {
+    for (part.resume(state); n <= watched; ++n) {
+      part.keep(state);
+      const double watch = static_cast<double>(n) * interval;
+      for (; next < times.size() && times[next] <= watch + 1e-9 * interval; ++next) {
+        march(flow, times[next]);
+        const std::vector<Contour> curves = look();
+        const Contour* main = wcsph::main_surface(curves);
+        if (main == nullptr || main->x.size() < 2)
+          throw std::runtime_error(fmt::format("no water surface at t = {:g} s", flow.time()));
+        Polylines surface{{main->x, main->z}};
+        for (double& y : surface.front().y) y -= setup.wave.depth;
+        result.times.push_back(times[next]);
+        result.surfaces.push_back(std::move(surface));
+        result.speed.push_back(fastest(flow.particles()));
+        result.snapshots.push_back(flow.particles());
+        result.kinetic.push_back(flow.totals().kinetic / setup.settings.density);
+        result.energy.push_back(wave_energy(flow, setup.wave) / first_energy);
+        result.level.push_back(mean_level(flow, setup));
+      }
+      if (watch > flow.time()) march(flow, watch);
+      look();
+      if (!landed && next + 1 >= times.size() && std::isfinite(result.touches)) break;
     }
-    if (watch > flow.time()) march(flow, watch);
-    look();
-    if (!landed && next + 1 >= times.size() && std::isfinite(result.touches)) break;
+  } catch (const Divergence& failure) {
+    if (landed || next + 1 < times.size()) throw;
+    result.breaks_up = failure.time();
   }
   result.steps = flow.steps();
   result.extremes = flow.extremes();

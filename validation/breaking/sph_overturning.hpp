@@ -58,6 +58,7 @@ struct SphOverturned {
   double hangs_over = std::numeric_limits<double>::quiet_NaN();  ///< first time with the overhang asked for [s]
   double touches = std::numeric_limits<double>::quiet_NaN();     ///< first time with a closed cavity [s]
   double cavity = std::numeric_limits<double>::quiet_NaN();      ///< area of the air in it then [m^2]
+  double breaks_up = std::numeric_limits<double>::quiet_NaN();   ///< time of a divergence before the jet touched [s]
   wcsph::Extremes extremes;
 
   [[nodiscard]] std::string resolution() const { return sph_resolution(spacing, particles); }
@@ -67,7 +68,8 @@ struct SphOverturned {
 /// @param overhang  [m] by which the front must hang over to count
 /// @param watched   instants in between at which overhang and cavity are looked for
 /// @param part      of the case's run that this is
-/// @param landed    whether the run goes on to the last of the times after the jet has touched: its spray may break up
+/// @param landed    whether the run goes on to the last of the times after the jet has touched; without, a run that
+///                  diverges after the last time but one has told all that is compared, and says when
 SphOverturned overturn(const SphOverturning& setup, const std::vector<double>& times, double overhang, long watched,
                        Part part, bool landed = true);
 void exchange(Tape& tape, SphOverturned& result);
