@@ -2,12 +2,16 @@
 #include "validation/case/study.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <limits>
+#include <mutex>
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <vector>
 
+#include "validation/case/on_threads.hpp"
 #include "verification/check.hpp"
 
 namespace seiche::verification::study_test {
@@ -180,6 +184,31 @@ TEST_CASE("a case whose figures fail retains its verdicts and is not marked as f
   CHECK_FALSE(record.error.empty());
   CHECK_FALSE(record.as_declared());
   CHECK(record_of("shows nothing").error == "its results could not be shown: no figure and no table");
+}
+
+TEST_CASE("independent computations run on as many threads as allowed; the first that fails is told", "[evidence]") {
+  std::mutex mutex;
+  std::size_t at_work = 0, most = 0;
+  std::vector<std::size_t> finished;
+  const auto work = [&](std::size_t) {
+    {
+      const std::scoped_lock lock(mutex);
+      most = std::max(most, ++at_work);
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    const std::scoped_lock lock(mutex);
+    --at_work;
+  };
+  on_threads(8, 2, work, [&](std::size_t n) { finished.push_back(n); });
+  CHECK(most <= 2);
+  CHECK(finished == std::vector<std::size_t>{1, 2, 3, 4, 5, 6, 7, 8});
+  std::vector<std::size_t> begun;
+  const auto failing = [&](std::size_t k) {
+    begun.push_back(k);
+    if (k == 2) throw std::runtime_error("the third");
+  };
+  CHECK_THROWS_WITH(on_threads(5, 1, failing), "the third");
+  CHECK(begun == std::vector<std::size_t>{0, 1, 2});
 }
 
 }  // namespace seiche::verification::study_test

@@ -107,6 +107,12 @@ TEST_CASE("a table has every number where the file has it", "[evidence]") {
                     wrong_words(io::read_table(file, {"h"}).names, {"h"}));
 }
 
+TEST_CASE("numbers as Fortran writes them are read", "[evidence]") {
+  std::istringstream in("a,b,c,d,e\n1.5D+02,2.d-1,0.25-103,.5+101,-3.E0\n");
+  CHECK(io::read_csv(in, "table.csv").columns ==
+        std::vector<std::vector<double>>{{150}, {0.2}, {0.25e-103}, {0.5e101}, {-3}});
+}
+
 TEST_CASE("units agree with the BIPM's brochure and CF", "[evidence]") {
   using validation::conversion;
   std::istringstream factors(

@@ -145,13 +145,16 @@ class Cpp(Finder):
             name = cursor.spelling or self.text(*self.extent(children[0])).split("::")[-1] if children else cursor.spelling
             if MESSAGES.fullmatch(name):
                 return
+            condition_and_message = name.startswith("require_that")
+            if condition_and_message:
+                children = children[:2]
             if name.startswith("operator") and name[8:9] in ("[", "+", "-", "*", "/", "<", ">", "=", "!"):
                 if len(children) == 3:
                     if name == "operator[]":
                         self.index(*self.extent(children[2]))
                     else:
                         self.sign(*self.extent(children[1]), (begin, end))
-            elif not SYMMETRIC.fullmatch(name):
+            elif not SYMMETRIC.fullmatch(name) and not condition_and_message:
                 self.exchange(list(cursor.get_arguments()))
         elif kind == kinds.INIT_LIST_EXPR:
             self.exchange(children)

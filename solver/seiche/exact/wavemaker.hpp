@@ -50,7 +50,7 @@ class Wavemaker {
  public:
   /// @param wave  the progressive wave;  @param stroke  S at the still-water level [m], of either sign
   /// Throws std::invalid_argument.
-  Wavemaker(Paddle paddle, const Water& water, const WaveScale& wave, double stroke = 1);
+  Wavemaker(Paddle paddle, const Water& water, const WaveScale& wave, double stroke);
   /// The stroke that makes a progressive wave of this height [m].
   [[nodiscard]] double stroke_for(double wave_height) const { return wave_height / height_per_stroke_; }
 
@@ -99,7 +99,7 @@ class WavemakerTransient {
  public:
   /// @param wave  the one that is approached;  @param stroke  S at the still-water level [m]
   /// Throws std::invalid_argument.
-  WavemakerTransient(Paddle paddle, const Water& water, const WaveScale& wave, double stroke = 1);
+  WavemakerTransient(Paddle paddle, const Water& water, const WaveScale& wave, double stroke);
 
   /// Surface elevation [m] at x >= 0, t >= 0. Throws OutsideFluid behind the paddle.
   [[nodiscard]] double elevation(double x, double t) const;
