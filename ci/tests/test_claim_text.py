@@ -2,6 +2,7 @@
 
 A claim stands alone: it begins with its quantity, has six words or more, and no other claim of its case has its words.
 A limit has a number or names what it is compared with.
+A figure has a title, a sentence under it, and points in each of its series.
 Home-made terms give way to the field's. MOST is a ratchet: a count may fall, and is then lowered here, never rise.
 """
 
@@ -12,6 +13,8 @@ import pathlib
 import re
 import subprocess
 import unittest
+
+import h5py
 
 ROOT = pathlib.Path(os.environ.get("SEICHE_SOURCE", pathlib.Path(__file__).resolve().parents[2]))
 EVIDENCE = pathlib.Path(os.environ.get("SEICHE_EVIDENCE", ROOT / "build/release/evidence"))
@@ -79,6 +82,20 @@ class Language(unittest.TestCase):
                            for record in records() for claim in record["claims"]
                            if claim["criterion"]["kind"] in ("bound", "uncertainty", "order")
                            and not REFERENCE.search(claim["text"])))
+
+    def test_figures_have_a_title_a_caption_and_points(self):
+        wrong = []
+        for record in records():
+            wrong += [f"{record['case']} {one['id']}: {one['title']!r}, {one['caption']!r}"
+                      for one in record["figures"] + record["tables"]
+                      if one["title"].endswith(".") or one["caption"] and one["caption"][-1] not in ".:"]
+            if record["figures"]:
+                with h5py.File(EVIDENCE / record["data"]) as file:
+                    wrong += [f"{record['case']}: {series.name} has no point"
+                              for figure in file["figures"].values() for panel in figure.values()
+                              for name, series in panel.items()
+                              if name.startswith("series") and not series["x"].size + series["y"].size]
+        self.assertEqual(wrong, [])
 
     def test_terms_are_the_fields(self):
         texts = {

@@ -84,6 +84,9 @@ class Command(Scratch):
             self.assertTrue(case["title"] and case["source"] and case["tiers"], case["name"])
             for parameter in case["parameters"]:
                 self.assertTrue(parameter["meaning"] and parameter["unit"] and parameter["range"], case["name"])
+                kind, choices = type(parameter["default"]["quick"]), parameter.get("choices", [])
+                self.assertEqual("lowest" in parameter, not choices and kind is not bool, parameter)
+                self.assertTrue(parameter["default"]["quick"] in choices if choices else kind is not str, parameter)
             self.assertIn(case["name"], listed)
 
     def test_run_writes_a_record_that_fits_the_schema(self):

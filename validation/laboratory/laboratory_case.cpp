@@ -126,6 +126,10 @@ void draw(const Series& part, const std::vector<Measured>& data, const Computed&
     if (own != fine.end()) {
       for (const SubmittedGroup& one : own->second) {
         if (part.group && one.value != curve.group) continue;
+        if (part.kind == WantedTable::Kind::scalars) {
+          panel.points(model, std::vector{curve.x.front()}, one.values.at(part.quantity.name), Role::computed);
+          continue;
+        }
         std::vector<double> x, y;
         for (std::size_t i = 0; i < one.abscissa.size(); ++i) {
           if (one.abscissa[i] < curve.x.front() || one.abscissa[i] > curve.x.back()) continue;

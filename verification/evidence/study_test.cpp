@@ -186,7 +186,7 @@ TEST_CASE("a case whose figures fail retains its verdicts and is not marked as f
   CHECK(record_of("shows nothing").error == "its results could not be shown: no figure and no table");
 }
 
-TEST_CASE("independent computations run on as many threads as allowed; the first that fails is told", "[evidence]") {
+TEST_CASE("independent computations run on as many threads as allowed, until the first that fails", "[evidence]") {
   std::mutex mutex;
   std::size_t at_work = 0, most = 0;
   std::vector<std::size_t> finished;

@@ -21,6 +21,7 @@ PROJECT = {  # what else decides a file, by its path: programs of ci.* and of th
     "solver/python/seiche/": ["solver/python/tests"],
     "reports/evidence/": ["ci/tests/test_junit.py", "ci/tests/test_command.py"],
     "validation/case/": ["ci/tests/test_command.py", "ci/tests/test_interruptions.py"],
+    "validation/laboratory/": ["ci/tests/test_command.py"],
     "validation/command/": ["ci/tests/test_options.py", "ci/tests/test_score_gates.py", "ci/tests/test_command.py",
                             "ci/tests/test_score.py", "ci/tests/test_exact_inputs.py"],
     "validation/scoring/": ["ci/tests/test_options.py", "ci/tests/test_parts_of_results.py",
