@@ -97,6 +97,16 @@ TEST_CASE("the longest stable step of the 2DH model follows from the fastest mod
   Flow flow(rectangular_lattice({.end = 1, .north = 1, .columns = 20, .rows = 20}));
   check.holds("The bound of the step agrees with the fastest mode.", {flow.stable_step() / (2 * std::sqrt(1.0 / 3))},
               Bound{0.01, "omega^2 = g H K^2/(1 + alpha H^2 K^2), K^2 = 3200 for cells of 0.05", 1, true});
+  // K^2 = 4/h1^2 + 4/h2^2 = 20 of oblong cells, however the lattice lies.
+  Lattice oblong = rectangular_lattice({.end = 1, .north = 1, .columns = 2, .rows = 1});
+  const double expected = 2 / std::sqrt(20 / (1 + 20.0 / 3));
+  CHECK_THAT(Flow(oblong).stable_step(), Catch::Matchers::WithinRel(expected, 1e-12));
+  for (std::size_t k = 0; k < oblong.x.size(); ++k) {
+    const double x = oblong.x[k], y = oblong.y[k];
+    oblong.x[k] = 0.6 * x - 0.8 * y;
+    oblong.y[k] = 0.8 * x + 0.6 * y;
+  }
+  CHECK_THAT(Flow(oblong).stable_step(), Catch::Matchers::WithinRel(expected, 1e-12));
 }
 
 }  // namespace seiche::verification::dispersive_2dh_input_test

@@ -50,7 +50,7 @@ class Wavemaker {
  public:
   /// @param wave  the progressive wave;  @param stroke  S at the still-water level [m], of either sign
   /// Throws std::invalid_argument.
-  Wavemaker(Paddle paddle, const Water& water, const WaveScale& wave, double stroke);
+  Wavemaker(Paddle paddle, const Water& water, const WaveScale& wave, double stroke = 1);
   /// The stroke that makes a progressive wave of this height [m].
   [[nodiscard]] double stroke_for(double wave_height) const { return wave_height / height_per_stroke_; }
 

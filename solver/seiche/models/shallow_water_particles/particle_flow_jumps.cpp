@@ -62,10 +62,7 @@ void ParticleFlow::detect_jumps() {
 void ParticleFlow::detect_at_wall(Side s) {
   std::optional<State>& ahead = ahead_at_wall_[s.index()];
   const auto wall = wall_velocity(s, time());
-  if (!wall) {
-    ahead.reset();
-    return;
-  }
+  if (!wall) return;
   // Everything below is written with velocities towards the wall, the wall on the right.
   const auto towards = [&](std::size_t k) {
     return State{depth_[s.particle(k)], s.outward() * now_.velocity[s.particle(k)]};
