@@ -149,6 +149,7 @@ class Matrix(unittest.TestCase):
             for text in ("boxes 2.5\u00a0%", "1 known deviation", "2 cases</a> compare your results", "seiche score CASE --data"):
                 self.assertIn(text, page)
             self.assertIn("wave_sph.seiche-claim-d", (out / "deviations.html").read_text(encoding="utf-8"))
+            self.assertIn(">Validation · dam break<", (out / "cases/riemann.html").read_text(encoding="utf-8"))
 
     def test_a_problem_shows_the_stored_scores_of_its_cases_and_its_own_films(self):
         def filmed(name):
