@@ -193,7 +193,7 @@ TEST_CASE("independent computations run on as many threads as allowed, until the
   const auto work = [&](std::size_t) {
     {
       const std::scoped_lock lock(mutex);
-      most = std::max(most, ++at_work);
+      if (++at_work > most) most = at_work;
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
     const std::scoped_lock lock(mutex);
