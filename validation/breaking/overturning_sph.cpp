@@ -259,8 +259,8 @@ void tabulate_variants(const Results& r, const Values& values, evidence::Exhibit
                 "Rms distance of the surfaces from potential flow in thousandths of the wavelength; energies with a "
                 "developed jet, kinetic over the potential-flow value, total over the initial one; times over the "
                 "period. Schemes with more work per step have fewer columns at equal processor time. Two spacings of "
-                "the first scheme show the uncertainty of the resolution. A scheme breaks up where the density of a "
-                "particle leaves its range before the jet touches.",
+                "the first scheme show the uncertainty of the resolution. \"breaks up\": the density of a particle is "
+                "no longer within 0.5 and 1.5 times that at rest before the jet touches.",
                 {"", "columns"});
   for (const Instant& instant : instants) table.columns.emplace_back(instant.id, "L/1000");
   for (const char* name : {"kinetic", "energy", "hangs over", "touches down"}) table.columns.emplace_back(name, "");

@@ -68,8 +68,8 @@ struct SphOverturned {
 /// @param overhang  [m] by which the front must hang over to count
 /// @param watched   instants in between at which overhang and cavity are looked for
 /// @param part      of the case's run that this is
-/// @param landed    whether the run goes on to the last of the times after the jet has touched; without, a run that
-///                  diverges after the last time but one has told all that is compared, and says when
+/// @param landed    whether the run goes on to the last of the times after the jet has touched; if not, it ends there,
+///                  or where it diverges after the last time but one, which is kept as breaks_up
 SphOverturned overturn(const SphOverturning& setup, const std::vector<double>& times, double overhang, long watched,
                        Part part, bool landed = true);
 void exchange(Tape& tape, SphOverturned& result);
