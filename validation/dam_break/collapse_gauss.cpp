@@ -46,28 +46,18 @@ constexpr double first_speed = 1.9;  ///< between these T the front's speed is t
 constexpr double last_speed = 3.4;
 constexpr double farthest = 4.2;  ///< X/a of the points that are compared
 
-using Column = GaussColumn;
-
-Column column_of(const Values& values) {
+GaussColumn column_of(const Values& values) {
   return {.aspect = values.number("aspect"), .cells = values.integer("cells"), .per_cell = values.integer("per_cell")};
-}
-
-/// Throws std::invalid_argument where the run ends before front and height are to be read.
-void refuse_after_end(const Values& values) {
-  const double last = values.real("last");
-  if (values.real("at") > last) {
-    throw std::invalid_argument(
-        fmt::format("at = {:g} is out of range: must be in [0, last], here [0, {:g}]", values.real("at"), last));
-  }
 }
 
 /// Coarser lattices, in quarters of the cells and particles to a side that were asked for.
 constexpr long parts = 4;
-bool has_coarser(const Column& column) {
+bool has_coarser(const GaussColumn& column) {
   return column.cells % parts == 0 && column.per_cell % parts == 0;
 }
 
 struct Collapse {
+  double spacing = 0;
   std::vector<double> T, front, height;
   std::vector<GaussFrame> frames, film;
   double energy_defect = 0;  ///< over the energy at the start
@@ -79,10 +69,10 @@ struct Collapse {
   [[nodiscard]] double speed() const { return slope_between(front_curve(), first_speed, last_speed); }
 };
 
-Collapse collapse(const Column& column, double last, bool with_frames) {
+Collapse collapse(const GaussColumn& column, double last, bool with_frames) {
   Flow flow = column.start();
   const std::size_t massive = flow.model().size() - flow.markers().size();
-  Collapse run;
+  Collapse run{.spacing = column.spacing()};
   Largest beyond;
   beyond.add(0);
   constexpr double film_frames = 24;
@@ -121,16 +111,13 @@ ColumnFront data_of(const Values& values) {
 }
 
 struct Results {
-  Column column;
   std::vector<Collapse> runs;  ///< the finest last
-  std::vector<double> spacing;
   ShiftedFront fit;
 
   [[nodiscard]] const Collapse& finest() const { return runs.back(); }
-  [[nodiscard]] std::vector<double> speeds() const { return each(runs, &Collapse::speed); }
 };
 
-void claim_method(const Column& column, double last, const Claims<Collapse>& claims) {
+void claim_method(const GaussColumn& column, double last, const Claims<Collapse>& claims) {
   claims.from("Frank (1994), chapter 6; exact for every space and step")
       .check("energy", "The energy change equals the dissipation of the penalty, to round-off.",
              "largest energy error over the initial energy", &Collapse::energy_defect,
@@ -152,8 +139,7 @@ void claim_method(const Column& column, double last, const Claims<Collapse>& cla
           "ritter", "The front position is at every step behind the shallow-water front, X/a = 1 + 2 T.",
           "true at every step",
           [](const Collapse& run) {
-            const auto lead = [&](std::size_t k) { return run.front[k] <= 1 + 2 * run.T[k]; };
-            return std::ranges::all_of(std::views::iota(std::size_t{0}, run.T.size()), lead);
+            return std::ranges::equal(run.front, run.T, [](double X, double T) { return X <= 1 + 2 * T; });
           },
           Qualitative{.detector = "X/a <= 1 + 2 T",
                       .reason = "vertical acceleration reduces the pressure that drives the front, and the column is a "
@@ -162,18 +148,14 @@ void claim_method(const Column& column, double last, const Claims<Collapse>& cla
 
 /// Least-squares slope of points between two T: its standard uncertainty.
 double slope_uncertainty(const ColumnFront& data, double slope) {
-  Mean place;
-  for (const double T : data.T) {
-    if (T > first_speed && T < last_speed) place.add(T);
-  }
-  double squares = 0;
-  for (const double T : data.T) {
-    if (T > first_speed && T < last_speed) squares += std::pow(T - place.value(), 2);
-  }
+  std::vector<double> times = data.T;
+  std::erase_if(times, [](double T) { return T <= first_speed || T >= last_speed; });
+  const double middle = over<Mean>(times, std::identity{}).value();
+  const double squares = over<Mean>(times, [&](double T) { return std::pow(T - middle, 2); }).sum();
   return data.uncertainty * std::sqrt((1 + slope * slope) / squares);
 }
 
-void claim_speed(const Column& column, const ColumnFront& data, const Claims<Results>& claims) {
+void claim_speed(const GaussColumn& column, const ColumnFront& data, const Claims<Results>& claims) {
   const double measured = slope_between(data.curve(), first_speed, last_speed);
   claims.at(column.resolution() + ", and two coarser grids")
       .only_if(has_coarser(column), "coarser grids need multiples of 4")
@@ -184,10 +166,9 @@ void claim_speed(const Column& column, const ColumnFront& data, const Claims<Res
           "speed", "The speed of the front agrees with the measured speed.",
           "dX/dT between T = 2 and 3.3, in sqrt(n^2 g a)",
           [](const Results& r) -> Measurement {
-            const std::vector<double> speeds = r.speeds();
-            std::vector<double> finest_first(speeds.rbegin(), speeds.rend());
-            std::vector<double> sizes(r.spacing.rbegin(), r.spacing.rend());
-            return {.value = speeds.back(), .uncertainty = fine_limit(sizes, finest_first).uncertainty};
+            const auto runs = std::views::reverse(r.runs);
+            const FineLimit limit = fine_limit(each(runs, &Collapse::spacing), each(runs, &Collapse::speed));
+            return {.value = r.finest().speed(), .uncertainty = limit.uncertainty};
           },
           Uncertainty{
               .expected = measured,
@@ -221,91 +202,85 @@ void claim_front(const Claims<Results>& claims, const ColumnFront& data) {
           [](const Results& r) { return r.fit.rms; }, through_points(data));
 }
 
-/// Of the height at the wall of a square column, later by the front's shift.
-double height_off(const Results& r, const io::Table& table) {
-  Mean off;
-  for (std::size_t k = 0; k < table.rows(); ++k) {
-    const double height = linear_at({r.finest().T, r.finest().height}, table.column("Tg")[k] - r.fit.shift);
-    if (!std::isnan(height)) off.add(height - table.column("H_over_a")[k]);
-  }
-  return off.rms();
-}
-
 void claims(const Values& values, const Claims<Results>& all) {
-  refuse_after_end(values);
-  const Column column = column_of(values);
+  const double last = values.real("last");
+  if (values.real("at") > last) {
+    throw std::invalid_argument(
+        fmt::format("at = {:g} is out of range: must be in [0, last], here [0, {:g}]", values.real("at"), last));
+  }
+  const GaussColumn column = column_of(values);
   const ColumnFront data = data_of(values);
   const Claims<Results> claims = all.at(column.resolution());
-  claim_method(column, values.real("last"), claims.of(&Results::finest));
-  const auto compared = claims.only_if(values.real("last") >= 3.5, "points up to T = 3.3 are compared");
+  claim_method(column, last, claims.of(&Results::finest));
+  const auto compared = claims.only_if(last >= 3.5, "points up to T = 3.3 are compared");
   claim_speed(column, data, compared);
   claim_front(compared, data);
   const io::Table heights = values.table("martin_moyce_1952_square_height");
   compared.only_if(column.aspect == 1, "the height was measured behind a square column")
       .check(
           "height", "With the same shift, the water height at the wall agrees with the measurement.",
-          "rms difference of H/a", [heights](const Results& r) { return height_off(r, heights); },
+          "rms difference of H/a",
+          [heights](const Results& r) {
+            Mean off;
+            for (std::size_t k = 0; k < heights.rows(); ++k) {
+              const double height = linear_at({r.finest().T, r.finest().height}, heights.column("Tg")[k] - r.fit.shift);
+              if (!std::isnan(height)) off.add(height - heights.column("H_over_a")[k]);
+            }
+            return off.rms();
+          },
           Bound{.limit = 2 * std::hypot(0.03, 0.03 * 0.25),
                 .reason = "two standard uncertainties of a point, in H and in T, along which H falls by 0.25 a unit"});
 }
 
 Results compute(const Run& run) {
-  Results r{.column = column_of(run)};
+  Results r;
+  const GaussColumn column = column_of(run);
   const double last = run.real("last");
-  if (has_coarser(r.column)) {
-    for (const long part : {2L, 3L}) {
-      Column coarser = r.column;
-      coarser.cells = r.column.cells * part / parts;
-      coarser.per_cell = r.column.per_cell * part / parts;
-      r.runs.push_back(collapse(coarser, last, false));
-      r.spacing.push_back(coarser.spacing());
-      run.progress(part == 2 ? 0.1 : 0.4);
-    }
+  for (const long part : {2L, 3L, parts}) {
+    if (part < parts && !has_coarser(column)) continue;
+    r.runs.push_back(
+        collapse({column.aspect, column.cells * part / parts, column.per_cell * part / parts}, last, part == parts));
+    run.progress(std::pow(static_cast<double>(part) / parts, 3));
   }
-  r.runs.push_back(collapse(r.column, last, true));
-  r.spacing.push_back(r.column.spacing());
   if (last >= 3.5) r.fit = shifted_front(r.finest().front_curve(), data_of(run).curve(), farthest);
   return r;
 }
 
 void draw(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   const ColumnFront data = data_of(values);
+  const GaussColumn column = column_of(values);
   const Collapse& run = r.finest();
   auto& fronts = exhibit.figure("front", "Position of the front and height at the wall",
                                 "Without and with one shift of the time origin.");
   auto& panel = fronts.panel({.x = "t sqrt(n^2 g/a)", .y = "X/a"});
-  panel.line("particles", run.T, run.front, Role::computed);
-  const std::vector<double> later = each(run.T, [&](double T) { return T + r.fit.shift; });
-  if (r.fit.points > 0) panel.line(fmt::format("{:.2f} later", r.fit.shift), later, run.front, Role::peer);
+  const auto draw_both = [&](evidence::Panel& to, const std::vector<double>& y) {
+    to.line("particles", run.T, y, Role::computed);
+    const std::vector<double> later = each(run.T, [&](double T) { return T + r.fit.shift; });
+    if (r.fit.points > 0) to.line(fmt::format("{:.2f} later", r.fit.shift), later, y, Role::peer);
+  };
+  draw_both(panel, run.front);
   const auto shown = static_cast<std::size_t>(std::ranges::upper_bound(data.T, run.T.back()) - data.T.begin());
   panel.points(data.label, std::span(data.T).first(shown), std::span(data.X).first(shown), Role::data,
                std::vector<double>(shown, data.uncertainty));
   const double ritter_end = (run.front.back() - 1) / 2;
   panel.line("Ritter, shallow water", std::vector{0.0, ritter_end}, std::vector{1.0, run.front.back()}, Role::guide);
   auto& heights = fronts.panel({.x = "t sqrt(n^2 g/a)", .y = "H/a"});
-  heights.line("particles", run.T, run.height, Role::computed);
-  if (r.fit.points > 0) heights.line(fmt::format("{:.2f} later", r.fit.shift), later, run.height, Role::peer);
-  if (r.column.aspect == 1) {
+  draw_both(heights, run.height);
+  if (column.aspect == 1) {
     const io::Table table = values.table("martin_moyce_1952_square_height");
     heights.points("Martin and Moyce", table.column("Tg"), table.column("H_over_a"), Role::data);
   }
+  const auto axes_of = [&](const GaussFrame& frame) {
+    return evidence::Axes{
+        .x = "x/a", .y = "y/a", .title = fmt::format("T = {:.2f}", frame.time * column.unit()), .equal_aspect = true};
+  };
   auto& water = exhibit.figure("water", "The water", "Surface markers.");
   for (const GaussFrame& frame : run.frames) {
-    auto& shape = water.panel({.x = "x/a",
-                               .y = "y/a",
-                               .title = fmt::format("T = {:.2f}", frame.time * r.column.unit()),
-                               .equal_aspect = true});
-    shape.line("markers", frame.line_x, frame.line_y, Role::computed);
+    water.panel(axes_of(frame)).line("markers", frame.line_x, frame.line_y, Role::computed);
   }
   auto& film = exhibit.figure("film", "Collapse of the column", "The water under its surface markers.");
   film.drawing = "film";
-  for (const GaussFrame& frame : run.film) {
-    film.panel({.x = "x/a",
-                .y = "y/a",
-                .title = fmt::format("T = {:.2f}", frame.time * r.column.unit()),
-                .equal_aspect = true})
-        .fill("water", frame.line_x, frame.line_y);
-  }
+  for (const GaussFrame& frame : run.film) film.panel(axes_of(frame)).fill("water", frame.line_x, frame.line_y);
 }
 
 void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {

@@ -44,12 +44,9 @@ const std::vector<Origin> origins{
 
 }  // namespace
 
-const std::vector<std::string>& column_fronts() {
-  static const std::vector<std::string> names = [] {
-    std::vector<std::string> all;
-    for (const Origin& origin : origins) all.push_back(origin.name);
-    return all;
-  }();
+std::vector<std::string> column_fronts() {
+  std::vector<std::string> names;
+  for (const Origin& origin : origins) names.push_back(origin.name);
   return names;
 }
 

@@ -26,6 +26,10 @@ struct ColumnFront {
   double time_uncertainty = 0;  ///< of T, standard
   double tank = 0;              ///< length of the tank over a; 0: no far wall
   [[nodiscard]] Curve curve() const { return {T, X}; }
+  /// With the uncertainty of X.
+  void draw(evidence::Panel& panel) const {
+    panel.points(label, T, X, evidence::Role::data, std::vector<double>(X.size(), uncertainty));
+  }
   /// [1/s] for a column of width a.
   [[nodiscard]] double unit(double gravity, double width) const { return std::sqrt((tall ? 2 : 1) * gravity / width); }
 };
@@ -40,7 +44,7 @@ inline evidence::Bound through_points(const ColumnFront& data) {
 }
 
 /// Names that column_front knows.
-const std::vector<std::string>& column_fronts();
+std::vector<std::string> column_fronts();
 /// Reads the table, as values.table() does. Throws std::invalid_argument for another name.
 ColumnFront column_front(const std::string& name, const Values& values);
 

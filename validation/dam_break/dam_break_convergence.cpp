@@ -39,12 +39,6 @@ constexpr Contender contenders[] = {
     {"Lax-Friedrichs", "lax_friedrichs", "lax_friedrichs", false, 1.5, Role::peer, true},
     {"MacCormack", "maccormack", "maccormack", false, 1.5, Role::peer, false}};
 
-FlowProblem problem_for(double gravity, double ratio) {
-  using End = FlowProblem::End;
-  if (ratio == 0) return problem_of(exact::Ritter(gravity, 1, 20), gravity, 0, 50, {20}, End::wall, End::dry);
-  return problem_of(exact::Stoker(gravity, 1, ratio, 20), gravity, 0, 50, {20});
-}
-
 constexpr double time = 6;
 constexpr double ratios[] = {0, 0.1, 0.5};
 
@@ -79,10 +73,10 @@ struct Results {
 
   /// @throws std::invalid_argument where there is none
   [[nodiscard]] const Refined& of(double ratio, const std::string& id) const {
-    const auto found = std::find_if(all.begin(), all.end(),
-                                    [&](const Refined& r) { return r.ratio == ratio && r.contender->id == id; });
-    if (found == all.end()) throw std::invalid_argument(fmt::format("{} was not run at h0/h1 = {:g}", id, ratio));
-    return *found;
+    for (const Refined& one : all) {
+      if (one.ratio == ratio && one.contender->id == id) return one;
+    }
+    throw std::invalid_argument(fmt::format("{} was not run at h0/h1 = {:g}", id, ratio));
   }
 };
 
@@ -129,7 +123,11 @@ Refined refine(const FlowProblem& problem, double ratio, const Contender& one, c
 Results compute(const Run& run) {
   Results r;
   for (const double ratio : ratios) {
-    const FlowProblem problem = problem_for(run.real("gravity"), ratio);
+    const double gravity = run.real("gravity");
+    using End = FlowProblem::End;
+    const FlowProblem problem =
+        ratio == 0 ? problem_of(exact::Ritter(gravity, 1, 20), gravity, 0, 50, {20}, End::wall, End::dry)
+                   : problem_of(exact::Stoker(gravity, 1, ratio, 20), gravity, 0, 50, {20});
     for (const Contender& one : contenders) {
       if (ratio == 0 && !one.over_dry) continue;
       r.all.push_back(refine(problem, ratio, one, counts_of(run)));
@@ -157,9 +155,9 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
       row.insert(row.end(), one.errors.begin(), one.errors.end());
       row.emplace_back(one.order.order);
       by_number.points(one.contender->label, one.counts, one.errors, one.contender->role);
-      // Clocks do not resolve less.
-      std::vector<double> seconds = each(one.seconds, [&](const double s) { return std::max(s, 1e-5); });
-      by_time.points(one.contender->label, seconds, one.errors, one.contender->role);
+      // Clocks do not resolve less than 1e-5 s.
+      by_time.points(one.contender->label, each(one.seconds, [](const double s) { return std::max(s, 1e-5); }),
+                     one.errors, one.contender->role);
     }
     const std::vector<double> guide{static_cast<double>(counts.front()), static_cast<double>(counts.back())};
     by_number.line("order 1", guide, std::vector<double>{0.1 * 50 / guide[0], 0.1 * 50 / guide[1]}, Role::guide);

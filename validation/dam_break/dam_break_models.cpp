@@ -54,15 +54,6 @@ constexpr double column_aspect = 2;
 
 constexpr double column_tank = 8;  ///< length of the tank of SPH, in widths; the others have none
 
-/// The finest resolution of each model, to the width.
-struct ColumnSizes {
-  long particles = 8;  ///< cells of the free particles
-  long mesh = 8;       ///< columns of the Lagrangian mesh
-  long cells = 8;      ///< columns of Dirichlet cells and of variable masses
-  long overlapping = 12;
-  long sph = 30;
-};
-
 const double unit = std::sqrt(column_aspect);  // T/t; NOLINT(modernize-use-std-numbers): it happens to be 2
 constexpr double courant = 0.2;                ///< steps over the spacing, which a fall of the column's height takes
 
@@ -84,8 +75,7 @@ struct History {
     const ShiftedFront fit = shifted_front({T, X}, measured.curve(), column_tank, range);
     std::vector<double> all;
     for (std::size_t k = 0; k < measured.T.size() && measured.T[k] <= latest; ++k) {
-      const double found = linear_at({T, X}, std::max(measured.T[k] - fit.shift, T.front()));
-      all.push_back(found - measured.X[k]);
+      all.push_back(linear_at({T, X}, std::max(measured.T[k] - fit.shift, T.front())) - measured.X[k]);
     }
     return all;
   }
@@ -108,14 +98,15 @@ Racer start_particles(const ColumnFront& measured, long cells) {
                   measured, column.tau(), [](const Flow& f) { return std::ranges::max(f.markers(), {}, &Point::x).x; });
 }
 
+const auto farthest_node = [](const auto& flow) { return largest(flow.x()); };
+
 Racer start_mesh(const ColumnFront& measured, long columns) {
-  using lagrangian_mesh_2d::Flow;
   const auto n = static_cast<std::size_t>(columns);
   lagrangian_mesh_2d::Mesh mesh = lagrangian_mesh_2d::free_patch(n, 2 * n, {0, 0}, {1, column_aspect});
   mesh.sides.left = lagrangian_mesh_2d::vertical_wall(0);
   mesh.sides.bottom = lagrangian_mesh_2d::level_wall(0);
-  return racer_of(std::make_shared<Flow>(mesh), measured, courant / static_cast<double>(n),
-                  [](const Flow& f) { return largest(f.x()); });
+  return racer_of(std::make_shared<lagrangian_mesh_2d::Flow>(mesh), measured, courant / static_cast<double>(n),
+                  farthest_node);
 }
 
 free_lagrangian::Mesh cells_at_wall(long columns) {
@@ -127,21 +118,19 @@ free_lagrangian::Mesh cells_at_wall(long columns) {
 constexpr double stabilisation = 0.01;  ///< of the pressures of cells
 
 Racer start_dirichlet(const ColumnFront& measured, long columns) {
-  using dirichlet_mesh::Flow;
+  using namespace dirichlet_mesh;
   return racer_of(std::make_shared<Flow>(cells_at_wall(columns), free_lagrangian::VelocityAt{},
-                                         dirichlet_mesh::Settings{.stabilisation = stabilisation}),
-                  measured, courant / static_cast<double>(columns), [](const Flow& f) { return largest(f.x()); });
+                                         Settings{.stabilisation = stabilisation}),
+                  measured, courant / static_cast<double>(columns), farthest_node);
 }
 
 /// Nodes inside go to the middle of their cells; those of the surface are particles.
 Racer start_variable_mass(const ColumnFront& measured, long columns) {
-  using variable_mass::Flow;
-  return racer_of(
-      std::make_shared<Flow>(
-          cells_at_wall(columns), variable_mass::Start{},
-          variable_mass::Control{.kind = variable_mass::ControlKind::centroid, .rate = 1, .surface_rate = 0},
-          variable_mass::Settings{.stabilisation = stabilisation}),
-      measured, courant / static_cast<double>(columns), [](const Flow& f) { return largest(f.nodes().x); });
+  using namespace variable_mass;
+  return racer_of(std::make_shared<Flow>(cells_at_wall(columns), Start{},
+                                         Control{.kind = ControlKind::centroid, .rate = 1, .surface_rate = 0},
+                                         Settings{.stabilisation = stabilisation}),
+                  measured, courant / static_cast<double>(columns), [](const Flow& f) { return largest(f.nodes().x); });
 }
 
 /// Rows half a spacing from wall and bed, behind which there are their mirror images.
@@ -190,33 +179,6 @@ Racer start_sph(const ColumnFront& measured, long across) {
           [=] { return Sight{.off = history->off(), .energy = flow->totals().energy()}; }};
 }
 
-/// What is off are fronts at the times of the measured points, with the one shift of the time origin that fits them
-/// best.
-std::vector<Contender> column_contenders(const ColumnFront& measured, const ColumnSizes& sizes) {
-  const auto over = [](long n) { return 1 / static_cast<double>(n); };
-  const auto starting = [measured](Racer (*start)(const ColumnFront&, long)) {
-    return [measured, start](long n) { return start(measured, n); };
-  };
-  const std::vector<double> three{0.5, 0.75, 1};
-  return {
-      {"particles", "Gauss particles", "cell size", Role::computed, ladder_to(sizes.particles, three), over,
-       starting(start_particles)},
-      {"mesh", "Lagrangian mesh", "cell size", Role::peer, ladder_to(sizes.mesh, three), over, starting(start_mesh)},
-      {"dirichlet", "Dirichlet cells", "cell size", Role::peer, ladder_to(sizes.cells, three), over,
-       starting(start_dirichlet)},
-      {"variable-mass",
-       "variable mass",
-       "cell size",
-       Role::peer,
-       {sizes.cells},
-       over,
-       starting(start_variable_mass),
-       true},
-      {"overlapping", "overlapping particles", "particle spacing", Role::data, ladder_to(sizes.overlapping, three),
-       over, starting(start_overlapping)},
-      {"sph", "SPH", "particle spacing", Role::peer, ladder_to(sizes.sph, three), over, starting(start_sph)}};
-}
-
 const std::string source = "Frank, Discrete models of incompressible fluid (1994); Martin and Moyce (1952)";
 const Named particles{"particles", "Gauss particles"};
 const Named sph{"sph", "SPH"};
@@ -227,9 +189,8 @@ ColumnFront data_of(const Values& values) {
 
 Trial trial_of(const Values& values) {
   const ColumnFront data = data_of(values);
-  const double unit = std::sqrt(column_aspect);  // NOLINT(modernize-use-std-numbers): it happens to be 2
-  double points = 0;
-  for (const double T : data.T) points += T < values.real("time") - 0.2 ? 1 : 0;
+  const auto points =
+      static_cast<double>(std::ranges::count_if(data.T, [&](double T) { return T < values.real("time") - 0.2; }));
   return {.end = values.real("time") / unit,
           .last = values.real("last") / unit,
           .looks = 20,
@@ -264,23 +225,43 @@ void claims(const Values& values, const Claims<Contest>& all) {
              Bound{.limit = 0.01 / values.number("particles"),
                    .reason = "1 %, for eddies of one cell at the front, which is one cell high: one cell of the number "
                              "over the width, of a column that falls as a whole"});
-  claim_breaks(claims_of(claims, "mesh"), {"mesh", "the Lagrangian mesh"},
-               "the right angle between top and face opens until it is straight, where a cell corner inverts", source);
-  claim_breaks(claims_of(claims, "dirichlet"), {"dirichlet", "Dirichlet cells"},
-               "the outline meets the bed at the toe, and cells cannot change the outline", source);
-  claim_breaks(claims_of(claims, "overlapping"), {"overlapping", "overlapping particles"},
-               "chequered multipliers of many times the pressure drive single particles at the bed", source);
-  claim_breaks(claims_of(claims, "variable-mass"), {"variable-mass", "particles of variable mass"},
-               "surface nodes represent the elevation as a function of x, which a vertical face is not", source);
+  const auto breaks = [&](const Named& model, const std::string& reason) {
+    claim_breaks(claims_of(claims, model.id), model, reason, source);
+  };
+  breaks({"mesh", "the Lagrangian mesh"},
+         "the right angle between top and face opens until it is straight, where a cell corner inverts");
+  breaks({"dirichlet", "Dirichlet cells"}, "the outline meets the bed at the toe, and cells cannot change the outline");
+  breaks({"overlapping", "overlapping particles"},
+         "chequered multipliers of many times the pressure drive single particles at the bed");
+  breaks({"variable-mass", "particles of variable mass"},
+         "surface nodes represent the elevation as a function of x, which a vertical face is not");
 }
 
+/// What is off are fronts at the times of the measured points, with the one shift of the time origin that fits them
+/// best.
 Contest compute(const Run& run) {
+  const auto contender = [measured = data_of(run)](const std::string& id, const std::string& name, Role role,
+                                                   const std::vector<long>& resolutions,
+                                                   Racer (*start)(const ColumnFront&, long),
+                                                   const std::string& size_of = "cell size") {
+    return Contender{.id = id,
+                     .name = name,
+                     .size_of = size_of,
+                     .role = role,
+                     .resolutions = resolutions,
+                     .size = [](long n) { return 1 / static_cast<double>(n); },
+                     .start = [=](long n) { return start(measured, n); },
+                     .may_refuse = start == start_variable_mass};
+  };
+  const auto three = [&](const std::string& finest) { return ladder_to(run.integer(finest), {0.5, 0.75, 1}); };
   return contest(run,
-                 column_contenders(data_of(run), {.particles = run.integer("particles"),
-                                                  .mesh = run.integer("mesh"),
-                                                  .cells = run.integer("cells"),
-                                                  .overlapping = run.integer("overlapping"),
-                                                  .sph = run.integer("sph")}),
+                 {contender("particles", "Gauss particles", Role::computed, three("particles"), start_particles),
+                  contender("mesh", "Lagrangian mesh", Role::peer, three("mesh"), start_mesh),
+                  contender("dirichlet", "Dirichlet cells", Role::peer, three("cells"), start_dirichlet),
+                  contender("variable-mass", "variable mass", Role::peer, {run.integer("cells")}, start_variable_mass),
+                  contender("overlapping", "overlapping particles", Role::data, three("overlapping"), start_overlapping,
+                            "particle spacing"),
+                  contender("sph", "SPH", Role::peer, three("sph"), start_sph, "particle spacing")},
                  trial_of(run));
 }
 

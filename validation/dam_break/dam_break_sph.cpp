@@ -39,29 +39,23 @@ it therefore gives the maximum velocity, from which the sound speed follows.
 namespace seiche::validation::cases::dam_break_sph {
 
 SphDam dam_of(const Values& values) {
-  const double height = values.real("column_height");
-  const double gravity = values.real("gravity");
-  return {.geometry = {.width = values.real("column_width"),
-                       .height = height,
-                       .tank_length = values.real("tank_length"),
-                       .wall_height = values.real("wall_height"),
-                       .spacing = values.real("dx"),
-                       .lattice = wcsph::lattice_named(values.text("lattice")),
-                       .wall_rows = static_cast<int>(values.integer("wall_rows"))},
-          .settings = sph_settings(values, gravity, values.real("density"), std::sqrt(gravity * height))};
+  return sph_dam({.width = values.real("column_width"),
+                  .height = values.real("column_height"),
+                  .tank_length = values.real("tank_length"),
+                  .wall_height = values.real("wall_height"),
+                  .spacing = values.real("dx"),
+                  .lattice = wcsph::lattice_named(values.text("lattice")),
+                  .wall_rows = static_cast<int>(values.integer("wall_rows"))},
+                 values, values.real("gravity"), values.real("density"));
 }
 
-/// The published front that is compared, and the scale of time; none: that of a tall column.
-struct Compared {
-  bool any;
-  ColumnFront data;
-  double unit;
-};
+/// The published front that is compared; none: without points, and with the scale of time of a tall column.
+ColumnFront data_of(const Values& values) {
+  return values.text("data") == "none" ? ColumnFront{} : column_front(values.text("data"), values);
+}
 
-Compared compared_with(const Values& values) {
-  const bool any = values.text("data") != "none";
-  const ColumnFront data = any ? column_front(values.text("data"), values) : ColumnFront{};
-  return {any, data, data.unit(values.real("gravity"), values.real("column_width"))};
+double unit_of(const Values& values) {
+  return data_of(values).unit(values.real("gravity"), values.real("column_width"));
 }
 
 std::vector<double> frames_of(const Values& values) {
@@ -69,15 +63,15 @@ std::vector<double> frames_of(const Values& values) {
 }
 
 struct Results {
-  SphCollapses collapse;
+  SphCollapse collapse;
   std::vector<wcsph::Particles> particles;  ///< at the frames
 };
 
 Results compute(const Run& run) {
   Results r;
   r.collapse = collapse_by_rule(
-      dam_of(run), run, {.unit = compared_with(run).unit, .last = run.real("last"), .samples = 200}, frames_of(run),
-      [&](std::size_t, const wcsph::Flow& flow) { r.particles.push_back(flow.particles()); },
+      dam_of(run), run, {.unit = unit_of(run), .last = run.real("last"), .samples = 200, .frames = frames_of(run)},
+      [&](const wcsph::Flow& flow) { r.particles.push_back(flow.particles()); },
       [&](double done) { run.progress(done); });
   return r;
 }
@@ -85,55 +79,44 @@ Results compute(const Run& run) {
 void claims(const Values& values, const Claims<Results>& claims) {
   claim_sound(claims.of(&Results::collapse), values);
   claims.of(&Results::collapse)
-      .of(&SphCollapses::run)
       .at(&SphCollapse::resolution)
       .check("contained", "The number of particles that leave the tank through a wall is zero.",
              "particles outside the tank at the end", &SphCollapse::lost,
              Bound{.limit = 0, .reason = "walls are impermeable"});
 }
 
-void compare(evidence::Exhibit& exhibit, const SphCollapse& computed, const ColumnFront& data, const SphDam& dam,
-             evidence::Panel& panel) {
-  const double farthest = (dam.geometry.tank_length - 4 * dam.geometry.spacing) / dam.geometry.width;
-  const ShiftedFront fit = shifted_front(computed.free_front(), data.curve(), farthest);
-  measure_shift(exhibit, fit);
-  panel.line(fmt::format("SPH, {:.2f} later", fit.shift), each(computed.T, [&](double T) { return T + fit.shift; }),
-             computed.front, Role::peer);
-  panel.points(data.label, data.T, data.X, Role::data);
-}
-
 void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   const SphDam dam = dam_of(values);
-  const auto [compared, data, unit] = compared_with(values);
-  const SphCollapse& computed = r.collapse.run;
+  const ColumnFront data = data_of(values);
+  const SphCollapse& computed = r.collapse;
+  const std::string T = data.tall ? "t sqrt(2g/a)" : "t sqrt(g/a)";
   const std::vector<double> frames = frames_of(values);
+  const double unit = unit_of(values);
   for (std::size_t k = 0; k < frames.size(); ++k) {
     add_particles(exhibit, frames[k] / unit, r.particles[k], dam.settings);
   }
   measure_run(exhibit, computed);
-  measure_sound(exhibit, r.collapse);
   if (!computed.roundings.empty()) {
     evidence::Table& table = add_table(exhibit, "roundings", "Lengths adjusted to the spacing", "", {"what"});
     for (const std::string& rounding : computed.roundings) table.rows.push_back({rounding});
   }
   auto& panel = add_panel(exhibit, "front", "Position of the front",
-                          fmt::format("Over the column width; {}.", computed.resolution()),
-                          {.x = data.tall ? "t sqrt(2g/a)" : "t sqrt(g/a)", .y = "X/a"});
+                          fmt::format("Over the column width; {}.", computed.resolution()), {.x = T, .y = "X/a"});
   panel.line("SPH", computed.T, computed.front, Role::computed);
-  if (compared) compare(exhibit, computed, data, dam, panel);
-  auto& energy = exhibit.figure("energy", "Energy", "Over the initial energy, from the bottom of the tank.");
-  energy.panel({.x = data.tall ? "t sqrt(2g/a)" : "t sqrt(g/a)", .y = "E/E_0"})
+  if (!data.T.empty()) {
+    const FrontBeside front{data, (dam.geometry.tank_length - 4 * dam.geometry.spacing) / dam.geometry.width};
+    measure_shift(exhibit, front.fit(computed));
+    front.draw_later(panel, computed, "SPH, ", Role::peer);
+    panel.points(data.label, data.T, data.X, Role::data);
+  }
+  add_panel(exhibit, "energy", "Energy", "Over the initial energy, from the bottom of the tank.",
+            {.x = T, .y = "E/E_0"})
       .line("SPH", computed.T, computed.energy);
 }
 
 /// The published front that a submission is judged by, and X/a beyond which it is not: where the far wall of the
 /// published column's own tank is near, or nearer where the submitter says so.
-struct Judged {
-  ColumnFront data;
-  double farthest;
-};
-
-Judged judged_by(const Values& values) {
+FrontBeside judged_by(const Values& values) {
   if (values.text("data") == "none") {
     throw std::invalid_argument("data = none: no reference front to score by; choose a published one");
   }
@@ -144,24 +127,20 @@ Judged judged_by(const Values& values) {
 }
 
 std::vector<WantedTable> wanted(const Values& values) {
-  const Judged judged = judged_by(values);
-  return {wanted_front(judged.data, judged.farthest)};
+  const auto [data, farthest] = judged_by(values);
+  return {wanted_front(data, farthest)};
 }
 
 void judge(const Values& values, const Submitted& submitted, const SolverFacts& facts, evidence::Record& record) {
-  const Judged judged = judged_by(values);
+  const auto [data, farthest] = judged_by(values);
   record.reference_data.merge(std::map(values.tables_read()));
   const double cell = facts.cell.value_or(values.real("dx")) / values.real("column_width");
-  judge_front(judged.data, judged.farthest, cell, submitted.at("front").front(), facts, record);
-}
-
-std::vector<std::string> data_choices() {
-  std::vector<std::string> choices = column_fronts();
-  choices.emplace_back("none");
-  return choices;
+  judge_front(data, farthest, cell, submitted.at("front").front(), facts, record);
 }
 
 void dam_break_sph(Case& c) {
+  std::vector<std::string> fronts = column_fronts();
+  fronts.emplace_back("none");
   c.title = "Collapse of a water column: weakly compressible SPH";
   c.source = "R. A. Dalrymple, B. D. Rogers, Coastal Eng. 53 (2006) 141; " + literature::plunging_sph + ", section 3";
   c.parameters =
@@ -176,7 +155,7 @@ void dam_break_sph(Case& c) {
             real("density", 1000.0, "kg/m^3", {1e-6, 1e6}, "density at rest"),
             real("last", 3.2, "1", {0.01, 100}, "scaled time at the end"),
             integer("frames", 9, {2, 10000}, "instants whose particles are written for ParaView"),
-            choice("data", "martin_moyce_tall_wide", data_choices(), "published front for comparison"),
+            choice("data", "martin_moyce_tall_wide", fronts, "published front for comparison"),
             real("scored_to", 0.0, "1", {0, 1000}, "X/a up to which a submitted front is scored; 0: all points")},
            sph_dam_parameters({.alpha = 0.3}));
   c.study = Study(claims, compute, show, "Dalrymple and Rogers (2006)");

@@ -44,58 +44,37 @@ constexpr double a = 0.057;
 constexpr double last = 3.2;
 constexpr double tank = 4;
 
-SphDam dam_of(const Values& values, long cells) {
-  return {.geometry = {.width = a,
-                       .height = 2 * a,
-                       .tank_length = tank * a,
-                       .wall_height = 3.5 * a,
-                       .spacing = a / static_cast<double>(cells),
-                       .lattice = wcsph::lattice_named(values.text("lattice")),
-                       .corners_twice = true},
-          .settings = sph_settings(values, 9.81, 1000, std::sqrt(9.81 * 2 * a))};
+wcsph::DamBreak geometry_of(const Values& values, long cells) {
+  return {.width = a,
+          .height = 2 * a,
+          .tank_length = tank * a,
+          .wall_height = 3.5 * a,
+          .spacing = a / static_cast<double>(cells),
+          .lattice = wcsph::lattice_named(values.text("lattice")),
+          .corners_twice = true};
 }
 
-std::vector<long> ladder_of(const Values& values) {
-  return sph_ladder(values.tier(), values.integer("cells"), 5);
+FrontBeside beside(const Values& values) {
+  return {column_front("martin_moyce_tall_wide", values), tank - 0.1};
 }
 
-ColumnFront data_of(const Values& values) {
-  return column_front("martin_moyce_tall_wide", values);
-}
-
-using Results = std::vector<SphCollapses>;  ///< by the lattices of the ladder
+using Results = std::vector<SphCollapse>;  ///< by the lattices of the ladder
 
 Results compute(const Run& run) {
-  const std::vector<long> ladder = ladder_of(run);
-  Results runs(ladder.size());
-  const double unit = std::sqrt(2 * 9.81 / a);
-  climb(run, ladder.size(), [&](std::size_t size) {
-    runs[size] = collapse_by_rule(dam_of(run, ladder[size]), run, {.unit = unit, .last = last, .samples = 320});
+  return on_ladder(run, [&](long cells) {
+    return collapse_by_rule(sph_dam(geometry_of(run, cells), run), run,
+                            {.unit = std::sqrt(2 * 9.81 / a), .last = last, .samples = 320});
   });
-  return runs;
-}
-
-ShiftedFront fit_of(const SphCollapse& run, const ColumnFront& data) {
-  return shifted_front(run.free_front(), data.curve(), tank - 0.1);
 }
 
 double speed_of(const Curve& front) {
   return slope_between(front, 1.6, 3);
 }
-
-/// A number of each computation.
-template <class Read>
-std::vector<double> of_all(const Results& runs, Read read) {
-  return each(runs, [&](const SphCollapses& one) { return std::invoke(read, one.run); });
-}
 double front_speed(const SphCollapse& run) {
   return speed_of(run.free_front());
 }
 
-void claim_front(const Claims<SphCollapse>& claims, const ColumnFront& data, const ColumnFront& vof, long cells) {
-  const auto fitted = [data](double ShiftedFront::*member) {
-    return [data, member](const SphCollapse& run) { return fit_of(run, data).*member; };
-  };
+void claim_front(const Claims<SphCollapse>& claims, const FrontBeside& front, const ColumnFront& vof, long cells) {
   claims
       .fails({.width = std::numeric_limits<double>::infinity(),
               .reason = "artificial viscosity, proportional to the spacing, retards the column as well: the shift is "
@@ -103,9 +82,9 @@ void claim_front(const Claims<SphCollapse>& claims, const ColumnFront& data, con
              cells < 50)
       .check("shift",
              "The measured front lags the computed one by the time that the diaphragm takes to melt, 0.1 to 0.3.",
-             "shift of the time origin, in sqrt(a/2g)", fitted(&ShiftedFront::shift), release_delay());
+             "shift of the time origin, in sqrt(a/2g)", front.fitted(&ShiftedFront::shift), release_delay());
   claims.check("rms", "The front position after one time shift agrees with the measured points.",
-               "rms difference of X/a", fitted(&ShiftedFront::rms), through_points(data));
+               "rms difference of X/a", front.fitted(&ShiftedFront::rms), through_points(front.data));
   claims.only_if(cells >= 50, "the viscosity at larger spacings retards the column by as much")
       .fails({.width = std::numeric_limits<double>::infinity(),
               .reason = "released instantaneously, the front is ahead of one behind a melting diaphragm by its speed "
@@ -113,56 +92,51 @@ void claim_front(const Claims<SphCollapse>& claims, const ColumnFront& data, con
       .check(
           "unshifted", "The front position without a time shift agrees with the measured points.",
           "rms difference of X/a",
-          [data](const SphCollapse& run) { return over<Mean>(fit_of(run, data).raw_off, std::identity{}).rms(); },
-          through_points(data));
+          [front](const SphCollapse& run) { return over<Mean>(front.fit(run).raw_off, std::identity{}).rms(); },
+          through_points(front.data));
   claims.from(publication)
       .check(
           "nearer-than-vof",
           "The SPH front, without a shift of time, is nearer to the measured points than the front of interFoam 1912, "
           "a volume-of-fluid solver.",
           "rms difference of X/a over interFoam's",
-          [data, vof](const SphCollapse& run) {
-            return fit_of(run, data).raw_rms / shifted_front(vof.curve(), data.curve(), tank - 0.1).raw_rms;
+          [front, vof](const SphCollapse& run) {
+            return front.fit(run).raw_rms / shifted_front(vof.curve(), front.data.curve(), front.farthest).raw_rms;
           },
           Bound{.limit = 1, .reason = "nearer means a ratio below 1"});
 }
 
-/// By the publication's spacing where the tier has it. Finer lattices have less artificial viscosity, and their front
-/// is judged within the uncertainties.
-void claim_speed(const Claims<SphCollapse>& claims, const ColumnFront& data) {
-  claims.check(
-      "speed",
-      "The speed of the front agrees with the measured speed, with the publication's spacing or the quick tier's.",
-      "dX/dT for 1.6 < T < 3, in sqrt(2 g a)", front_speed,
-      Bound{.limit = 0.04,
-            .reason = "4 %; the points alone, 0.05 each, would allow 13 %",
-            .expected = speed_of(data.curve()),
-            .relative = true});
-}
-
-void claims(const Values& values, const Claims<Results>& claims) {
-  const ColumnFront data = data_of(values);
-  const std::vector<long> ladder = ladder_of(values);
-  const auto finest = claims.last();
+void claims(const Values& values, const Claims<Results>& all) {
+  const FrontBeside front = beside(values);
+  const ColumnFront& data = front.data;
+  const std::vector<long> ladder = sph_ladder(values.tier(), values.integer("cells"), 5);
+  const auto finest = all.last().at(&SphCollapse::resolution);
   claim_sound(finest, values);
-  claim_front(finest.of(&SphCollapses::run).at(&SphCollapse::resolution), data, column_front("interfoam", values),
-              ladder.back());
-  const auto same = std::ranges::find(ladder, 50) - ladder.begin();
-  const auto published = [same](const Results& runs) -> const SphCollapse& {
-    return same < std::ssize(runs) ? runs[static_cast<std::size_t>(same)].run : runs.back().run;
-  };
-  claim_speed(claims.of(published).at(&SphCollapse::resolution), data);
-  claims.only_if(ladder.size() >= 3, "its uncertainty needs three spacings, computed in the full tier")
-      .at([](const Results& runs) { return runs.back().run.resolution(); })
+  claim_front(finest, front, column_front("interfoam", values), ladder.back());
+  // By the publication's spacing where the tier has it. Finer lattices have less artificial viscosity, and their front
+  // is judged within the uncertainties.
+  const auto published = std::ranges::find(ladder, 50);
+  (published == ladder.end() ? finest : all.entry(static_cast<std::size_t>(published - ladder.begin())))
+      .at(&SphCollapse::resolution)
+      .check(
+          "speed",
+          "The speed of the front agrees with the measured speed, with the publication's spacing or the quick tier's.",
+          "dX/dT for 1.6 < T < 3, in sqrt(2 g a)", front_speed,
+          Bound{.limit = 0.04,
+                .reason = "4 %; the points alone, 0.05 each, would allow 13 %",
+                .expected = speed_of(data.curve()),
+                .relative = true});
+  all.only_if(ladder.size() >= 3, "its uncertainty needs three spacings, computed in the full tier")
+      .at([](const Results& runs) { return runs.back().resolution(); })
       .check(
           "speed-uncertain",
           "The front speed for 1.6 < T < 3 agrees with the measurement within the uncertainties of points and "
           "resolution.",
           "dX/dT for 1.6 < T < 3, in sqrt(2 g a)",
           [](const Results& runs) -> Measurement {
-            const std::vector<double> speeds = of_all(runs, front_speed);
+            const std::vector<double> speeds = each(runs, front_speed);
             return {.value = speeds.back(),
-                    .uncertainty = resolution_uncertainty(of_all(runs, &SphCollapse::spacing), speeds)};
+                    .uncertainty = resolution_uncertainty(each(runs, &SphCollapse::spacing), speeds)};
           },
           Uncertainty{.expected = speed_of(data.curve()),
                       .data = std::numbers::sqrt2 * data.uncertainty / (data.T[3] - data.T[2]),
@@ -170,7 +144,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
                       .reason = "two points, uncertain by 0.05 each, 0.55 apart in T; inconclusive beyond 40 %"});
 }
 
-void draw(evidence::Exhibit& exhibit, const SphDam& dam, const Results& runs, const ColumnFront& data,
+void draw(evidence::Exhibit& exhibit, const SphDam& dam, const Results& runs, const FrontBeside& front,
           const ColumnFront& vof) {
   const wcsph::Particles start = wcsph::dam_break(dam.geometry, dam.settings).particles;
   std::vector<double> x[2], z[2];
@@ -185,21 +159,19 @@ void draw(evidence::Exhibit& exhibit, const SphDam& dam, const Results& runs, co
   sketch.points("water", x[0], z[0], Role::computed);
   sketch.points("walls", x[1], z[1], Role::data);
 
-  const SphCollapse& finest = runs.back().run;
-  const ShiftedFront fit = fit_of(finest, data);
-  auto& figure = exhibit.figure("front", "Position of the front",
-                                "Without and with one shift of the time origin; the far wall is at 4.", {"sph-fig-2"});
-  auto& panel = figure.panel({.x = "t sqrt(2g/a)", .y = "X/a", .x_min = 0, .x_max = last, .y_min = 1, .y_max = tank});
+  const SphCollapse& finest = runs.back();
+  auto& panel = add_panel(
+      exhibit, "front", "Position of the front", "Without and with one shift of the time origin; the far wall is at 4.",
+      {.x = "t sqrt(2g/a)", .y = "X/a", .x_min = 0, .x_max = last, .y_min = 1, .y_max = tank}, {"sph-fig-2"});
   panel.line("SPH", finest.T, finest.front, Role::computed);
-  panel.line(fmt::format("SPH, {:.2f} later", fit.shift), each(finest.T, [&](double T) { return T + fit.shift; }),
-             finest.front, Role::peer);
+  front.draw_later(panel, finest, "SPH, ", Role::peer);
   panel.line(vof.label, vof.T, vof.X, Role::peer);
-  panel.points(data.label, data.T, data.X, Role::data, std::vector<double>(data.X.size(), data.uncertainty));
+  front.data.draw(panel);
   auto& study = exhibit.figure("resolution", "The front with wider spacings, and the energy",
                                "Left: X/a; right: energy over the initial energy.");
   auto& fronts = study.panel({.x = "t sqrt(2g/a)", .y = "X/a"});
   auto& energies = study.panel({.x = "t sqrt(2g/a)", .y = "E/E_0"});
-  for (const auto& [first_run, one] : runs) {
+  for (const SphCollapse& one : runs) {
     const std::string label = fmt::format("a/{:.0f}", a / one.spacing);
     const Role role = &one == &finest ? Role::computed : Role::peer;
     fronts.line(label, one.T, one.front, role);
@@ -208,15 +180,12 @@ void draw(evidence::Exhibit& exhibit, const SphDam& dam, const Results& runs, co
 }
 
 void show(const Results& runs, const Values& values, evidence::Exhibit& exhibit) {
-  const ColumnFront data = data_of(values);
-  const SphCollapse& finest = runs.back().run;
-  measure_run(exhibit, finest);
-  measure_sound(exhibit, runs.back());
-  const std::vector<double> sizes = of_all(runs, &SphCollapse::spacing);
-  measure_convergence(exhibit, "shift", sizes, of_all(runs, [&](const auto& one) { return fit_of(one, data).shift; }));
-  measure_convergence(exhibit, "rms", sizes, of_all(runs, [&](const auto& one) { return fit_of(one, data).rms; }));
-  measure_convergence(exhibit, "speed", sizes, of_all(runs, front_speed));
-  draw(exhibit, dam_of(values, values.integer("cells")), runs, data, column_front("interfoam", values));
+  const FrontBeside front = beside(values);
+  measure_run(exhibit, runs.back());
+  front.measure_convergence(exhibit, runs);
+  measure_convergence(exhibit, "speed", each(runs, &SphCollapse::spacing), each(runs, front_speed));
+  draw(exhibit, sph_dam(geometry_of(values, values.integer("cells")), values), runs, front,
+       column_front("interfoam", values));
 }
 
 void dam_break_sph_front(Case& c) {

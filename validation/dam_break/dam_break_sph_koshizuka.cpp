@@ -24,7 +24,6 @@ The experiment lags both.
 #include "validation/dam_break/sph_sound.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/instruments/shifted_front.hpp"
-#include "validation/studies/wcsph/spacing_ladder.hpp"
 
 namespace seiche::validation::cases::dam_break_sph_koshizuka {
 
@@ -32,90 +31,75 @@ constexpr double width = 0.146;
 constexpr double gravity = 9.81;
 constexpr double tank = 4;
 
-SphDam dam_of(const Values& values, long cells) {
-  return {.geometry = {.width = width,
-                       .height = 2 * width,
-                       .tank_length = tank * width,
-                       .wall_height = 3 * width,
-                       .spacing = width / static_cast<double>(cells)},
-          .settings = sph_settings(values, gravity, 1000, std::sqrt(gravity * 2 * width))};
-}
-
-using Results = std::vector<SphCollapses>;  ///< by the lattices of the ladder
+using Results = std::vector<SphCollapse>;  ///< by the lattices of the ladder
 
 Results compute(const Run& run) {
-  const std::vector<long> ladder = sph_ladder(run.tier(), run.integer("cells"), 5);
-  Results runs(ladder.size());
-  climb(run, ladder.size(), [&](std::size_t size) {
-    runs[size] = collapse_by_rule(dam_of(run, ladder[size]), run,
-                                  {.unit = std::sqrt(2 * gravity / width), .last = 3.6, .samples = 360});
+  return on_ladder(run, [&](long cells) {
+    const wcsph::DamBreak geometry{.width = width,
+                                   .height = 2 * width,
+                                   .tank_length = tank * width,
+                                   .wall_height = 3 * width,
+                                   .spacing = width / static_cast<double>(cells)};
+    return collapse_by_rule(sph_dam(geometry, run), run,
+                            {.unit = std::sqrt(2 * 9.81 / width), .last = 3.6, .samples = 360});
   });
-  return runs;
 }
 
-ShiftedFront fit_of(const SphCollapse& run, const ColumnFront& data) {
-  return shifted_front(run.free_front(), data.curve(), tank - 0.1);
+FrontBeside beside(const std::string& name, const Values& values) {
+  return {column_front("koshizuka_oka_" + name, values), tank - 0.1};
 }
 
-auto on_finest(const ColumnFront& data, double ShiftedFront::*member) {
-  return [data, member](const Results& runs) { return fit_of(runs.back().run, data).*member; };
-}
-
-void claim_rms(const Claims<Results>& claims, const ColumnFront& data, const std::string& id, const Bound& bound) {
-  claims.from(data.citation)
+void claim_rms(const Claims<SphCollapse>& claims, const FrontBeside& front, const std::string& id, const Bound& bound) {
+  claims.from(front.data.citation)
       .check("rms-" + id,
-             fmt::format("The SPH front position after one time shift agrees with {} within {:.2g}.", data.label,
+             fmt::format("The SPH front position after one time shift agrees with {} within {:.2g}.", front.data.label,
                          bound.limit.value()),
-             "rms difference of X/L", on_finest(data, &ShiftedFront::rms), bound);
+             "rms difference of X/L", front.fitted(&ShiftedFront::rms), bound);
 }
 
 void claims(const Values& values, const Claims<Results>& all) {
-  const auto claims = all.at([](const Results& runs) { return runs.back().run.resolution(); });
-  const ColumnFront mps = column_front("koshizuka_oka_mps", values);
-  const ColumnFront first = column_front("koshizuka_oka_1", values);
-  const ColumnFront second = column_front("koshizuka_oka_2", values);
-  claim_sound(claims.last(), values);
+  const auto claims = all.last().at(&SphCollapse::resolution);
+  const FrontBeside mps = beside("mps", values);
+  const FrontBeside first = beside("1", values);
+  const FrontBeside second = beside("2", values);
+  claim_sound(claims, values);
   claims
       .fails(
           {.width = std::numeric_limits<double>::infinity(),
            .reason =
                "artificial viscosity retards the column: at L/40 the shift is -0.14 for alpha = 0.3 and -0.07 for 0.1"},
           values.integer("cells") < 80)
-      .from(mps.citation)
+      .from(mps.data.citation)
       .check("shift-mps", "The SPH front and the MPS computation start at the same time within 0.1.",
-             "shift of the time origin, in sqrt(L/2g)", on_finest(mps, &ShiftedFront::shift),
+             "shift of the time origin, in sqrt(L/2g)", mps.fitted(&ShiftedFront::shift),
              Bound{.limit = 0.1, .reason = "both columns are released instantaneously"});
-  claim_rms(claims, mps, "mps", {.limit = 2 * mps.uncertainty, .reason = "twice the reading of the curve"});
-  const Bound reading{.limit = shifted_front(first.curve(), second.curve(), tank - 0.1).rms,
+  claim_rms(claims, mps, "mps", {.limit = 2 * mps.data.uncertainty, .reason = "twice the reading of the curve"});
+  const Bound reading{.limit = shifted_front(first.data.curve(), second.data.curve(), tank - 0.1).rms,
                       .reason = "the difference after one shift between the two digitisations of the same figure"};
   claim_rms(claims, first, "first", reading);
   claim_rms(claims, second, "second", reading);
 }
 
 void show(const Results& runs, const Values& values, evidence::Exhibit& exhibit) {
-  const SphCollapse& finest = runs.back().run;
+  const SphCollapse& finest = runs.back();
   measure_run(exhibit, finest);
-  measure_sound(exhibit, runs.back());
-  const ColumnFront mps = column_front("koshizuka_oka_mps", values);
-  const ColumnFront first = column_front("koshizuka_oka_1", values);
-  const ColumnFront second = column_front("koshizuka_oka_2", values);
-  for (const ColumnFront& data : {mps, first, second}) {
-    const auto of_all = [&](double ShiftedFront::*member) {
-      return each(runs, [&](const SphCollapses& one) { return fit_of(one.run, data).*member; });
-    };
-    const std::vector<double> sizes = each(runs, [](const SphCollapses& one) { return one.run.spacing; });
-    exhibit.measure("rms_as_it_stands_" + data.name, fit_of(finest, data).raw_rms);
-    measure_convergence(exhibit, "shift_" + data.name, sizes, of_all(&ShiftedFront::shift));
-    measure_convergence(exhibit, "rms_" + data.name, sizes, of_all(&ShiftedFront::rms));
-  }
   auto& panel = add_panel(exhibit, "front", "Position of the front", "Without a shift; the far wall is at 4.",
                           {.x = "t sqrt(2g/L)", .y = "X/L", .y_min = 1, .y_max = tank});
-  for (const auto& [first_run, one] : runs) {
+  for (const SphCollapse& one : runs) {
     panel.line(fmt::format("SPH, L/{:.0f}", width / one.spacing), one.T, one.front,
                &one == &finest ? Role::computed : Role::peer);
   }
-  panel.line(mps.label, mps.T, mps.X, Role::guide);
-  for (const ColumnFront& data : {first, second}) panel.points(data.label, data.T, data.X, Role::data);
+  for (const std::string name : {"mps", "1", "2"}) {
+    const FrontBeside front = beside(name, values);
+    const ColumnFront& data = front.data;
+    exhibit.measure("rms_as_it_stands_" + data.name, front.fit(finest).raw_rms);
+    front.measure_convergence(exhibit, runs, "_" + data.name);
+    if (name == "mps") {
+      panel.line(data.label, data.T, data.X, Role::guide);
+    } else {
+      panel.points(data.label, data.T, data.X, Role::data);
+    }
+  }
 }
 
 void dam_break_sph_koshizuka(Case& c) {

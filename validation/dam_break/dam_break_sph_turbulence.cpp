@@ -41,20 +41,20 @@ namespace seiche::validation::cases::dam_break_sph_turbulence {
 
 const std::string publication = literature::plunging_sph + ", figure 3";
 constexpr double a = 0.3;
-constexpr double gravity = 9.81;
+const double unit = std::sqrt(9.81 / a);  ///< T = unit t
 constexpr double tank = 3;
 constexpr std::array<double, 6> times{0, 0.160, 0.364, 0.485, 0.809, 0.890};
 
 SphDam dam_of(const Values& values, long cells) {
-  return {.geometry = {.width = a,
-                       .height = a,
-                       .tank_length = tank * a,
-                       .wall_height = 1.75 * a,
-                       .spacing = a / static_cast<double>(cells),
-                       .lattice = wcsph::lattice_named(values.text("lattice")),
-                       .wall_rows = static_cast<int>(values.integer("wall_rows")),
-                       .corners_twice = true},
-          .settings = sph_settings(values, gravity, 1000, std::sqrt(gravity * a))};
+  return sph_dam({.width = a,
+                  .height = a,
+                  .tank_length = tank * a,
+                  .wall_height = 1.75 * a,
+                  .spacing = a / static_cast<double>(cells),
+                  .lattice = wcsph::lattice_named(values.text("lattice")),
+                  .wall_rows = static_cast<int>(values.integer("wall_rows")),
+                  .corners_twice = true},
+                 values);
 }
 
 /// Of connected water [m]: along the far wall, and above the layer in the left half of the far third of the tank, where
@@ -63,69 +63,57 @@ struct Heights {
   double far_wall, jet;
 };
 
-Heights heights_of(const wcsph::Flow& flow) {
-  const double dx = flow.spacing();
-  const auto highest = [&](double left, double right) {
-    return wcsph::column_height(flow.particles(), flow.smoothing_length(), left, right);
-  };
-  return {highest(tank * a - 6 * dx, tank * a), highest((tank - 1) * a, (tank - 0.25) * a)};
-}
-
-struct Frames {
-  SphCollapses collapse;
+struct Frames : SphCollapse {
   std::vector<Heights> heights;
   std::vector<wcsph::Particles> particles;
-  [[nodiscard]] const SphCollapse& series() const { return collapse.run; }
+
+  [[nodiscard]] const SphCollapse& series() const { return *this; }
 };
 
-Frames frames_of(const SphDam& dam, const Values& values) {
-  const double unit = std::sqrt(gravity / a);
-  std::vector<double> frames = each(times, [&](const double t) { return unit * t; });
-  Frames result;
-  result.collapse = collapse_by_rule(dam, values, {.unit = unit, .last = frames.back(), .samples = 400}, frames,
-                                     [&](std::size_t, const wcsph::Flow& flow) {
-                                       result.heights.push_back(heights_of(flow));
-                                       result.particles.push_back(flow.particles());
-                                     });
-  return result;
+void exchange(Tape& tape, Frames& frames) {
+  exchange(tape, static_cast<SphCollapse&>(frames));
+  tape(frames.heights, frames.particles);
 }
 
-void exchange(Tape& tape, Frames& frames) {
-  tape(frames.collapse, frames.heights, frames.particles);
+Frames frames_of(const SphDam& dam, const Values& values) {
+  const std::vector<double> instants = each(times, [](const double t) { return unit * t; });
+  Frames result;
+  static_cast<SphCollapse&>(result) =
+      collapse_by_rule(dam, values, {.unit = unit, .last = instants.back(), .samples = 400, .frames = instants},
+                       [&](const wcsph::Flow& flow) {
+                         const auto highest = [&](double left, double right) {
+                           return wcsph::column_height(flow.particles(), flow.smoothing_length(), left, right);
+                         };
+                         result.heights.push_back({highest(tank * a - 6 * flow.spacing(), tank * a),
+                                                   highest((tank - 1) * a, (tank - 0.25) * a)});
+                         result.particles.push_back(flow.particles());
+                       });
+  return result;
 }
 
 using Results = std::vector<Frames>;  ///< by the lattices of the ladder
 
 Results compute(const Run& run) {
-  const std::vector<long> ladder = sph_ladder(run.tier(), run.integer("cells"), 5);
-  Results runs(ladder.size());
-  climb(run, ladder.size(), [&](std::size_t size) {
-    const Part part = run.part(fmt::format("{} cells", ladder[size]));
-    runs[size] = part.result<Frames>([&] { return frames_of(dam_of(run, ladder[size]), run); });
+  return on_ladder(run, [&](long cells) {
+    return run.part(fmt::format("{} cells", cells)).result<Frames>([&] { return frames_of(dam_of(run, cells), run); });
   });
-  return runs;
 }
 
-ShiftedFront fit_of(const SphCollapse& series, const ColumnFront& data) {
-  return shifted_front(series.free_front(), data.curve(), tank - 0.1);
+FrontBeside beside(const Values& values) {
+  return {column_front("martin_moyce_square", values), tank - 0.1};
 }
 
 /// @param enough  spacings in the width of the column for the time of its front
-void claim_front(const Claims<SphCollapse>& claims, const ColumnFront& data, bool enough) {
-  const auto fitted = [data](double ShiftedFront::*member) {
-    return [data, member](const SphCollapse& series) { return fit_of(series, data).*member; };
-  };
+void claim_front(const Claims<SphCollapse>& all, const FrontBeside& front, bool enough) {
+  const auto claims = all.from(front.data.citation);
   claims.only_if(enough, "a spacing of a/20 delays the front by 0.1 sqrt(a/g)")
-      .from(data.citation)
       .check("shift", "The measured front of the square column lags by the delay expected of its diaphragm.",
-             "shift of the time origin, in sqrt(a/g)", fitted(&ShiftedFront::shift), release_delay());
-  claims.from(data.citation)
-      .check("rms", "The front position after one time shift agrees with the measured points.", "rms difference of X/a",
-             fitted(&ShiftedFront::rms), through_points(data));
+             "shift of the time origin, in sqrt(a/g)", front.fitted(&ShiftedFront::shift), release_delay());
+  claims.check("rms", "The front position after one time shift agrees with the measured points.",
+               "rms difference of X/a", front.fitted(&ShiftedFront::rms), through_points(front.data));
 }
 
 void claim_events(const Claims<Frames>& claims) {
-  const double unit = std::sqrt(gravity / a);
   const auto event = [&](const std::string& id, const std::string& text, const std::string& detector, auto happens) {
     claims.check(
         id, text, "it happens", happens,
@@ -133,9 +121,7 @@ void claim_events(const Claims<Frames>& claims) {
   };
   event("strikes", "The front strikes the far wall between the second and the third frame.",
         "the front is two smoothing lengths from the wall at a time between 0.160 and 0.364 s",
-        [unit](const Frames& frames) {
-          return frames.series().reaches_wall > 0.160 * unit && frames.series().reaches_wall < 0.364 * unit;
-        });
+        [](const Frames& frames) { return frames.reaches_wall > 0.160 * unit && frames.reaches_wall < 0.364 * unit; });
   event("runs-up", "The jet along the wall at the fourth frame is higher than the initial column.",
         "connected particles within six spacings of the wall above z = a at 0.485 s",
         [](const Frames& frames) { return frames.heights.at(3).far_wall > a; });
@@ -144,35 +130,24 @@ void claim_events(const Claims<Frames>& claims) {
         [](const Frames& frames) { return frames.heights.at(4).jet > 0.5 * a || frames.heights.at(5).jet > 0.5 * a; });
 }
 
-void claim_contained(const Claims<SphCollapse>& claims) {
-  claims.check("contained", "The number of particles beside or below the tank at the end is zero.",
+void claims(const Values& values, const Claims<Results>& claims) {
+  const auto finest = claims.last().at(&Frames::resolution);
+  const auto series = finest.of(&Frames::series);
+  claim_sound(series, values);
+  claim_front(series, beside(values), values.integer("cells") >= 30);
+  claim_events(finest);
+  series.check("contained", "The number of particles beside or below the tank at the end is zero.",
                "particles beside or below the tank at the end", &SphCollapse::lost,
                Bound{.limit = 0, .reason = "walls are impermeable, and spray that rises above them falls back inside"});
 }
 
-void claims(const Values& values, const Claims<Results>& claims) {
-  const auto finest = claims.last().at([](const Frames& frames) { return frames.series().resolution(); });
-  const auto series = finest.of(&Frames::series);
-  claim_sound(finest.of(&Frames::collapse), values);
-  claim_front(series, column_front("martin_moyce_square", values), values.integer("cells") >= 30);
-  claim_events(finest);
-  claim_contained(series);
-}
-
-void show_numbers(evidence::Exhibit& exhibit, const Results& runs, const ColumnFront& data) {
-  const double unit = std::sqrt(gravity / a);
+void show_numbers(evidence::Exhibit& exhibit, const Results& runs, const FrontBeside& front) {
   const Frames& finest = runs.back();
-  const auto of_all = [&](const auto& of) {
-    return each(runs, [&](const Frames& one) { return std::invoke(of, fit_of(one.series(), data)); });
-  };
-  const std::vector<double> sizes = each(runs, [](const Frames& one) { return one.series().spacing; });
-  measure_run(exhibit, finest.series());
-  measure_sound(exhibit, finest.collapse);
-  exhibit.measure("rms_as_it_stands", fit_of(finest.series(), data).raw_rms);
-  measure_convergence(exhibit, "shift", sizes, of_all(&ShiftedFront::shift));
-  measure_convergence(exhibit, "rms", sizes, of_all(&ShiftedFront::rms));
-  exhibit.measure("front_reaches_wall_s", finest.series().reaches_wall / unit);
-  exhibit.measure("front_at_0.160_s", linear_at(finest.series().front_curve(), 0.160 * unit));
+  measure_run(exhibit, finest);
+  exhibit.measure("rms_as_it_stands", front.fit(finest).raw_rms);
+  front.measure_convergence(exhibit, runs);
+  exhibit.measure("front_reaches_wall_s", finest.reaches_wall / unit);
+  exhibit.measure("front_at_0.160_s", linear_at(finest.front_curve(), 0.160 * unit));
   for (std::size_t k = 0; k < times.size(); ++k) {
     const auto measure = [&](const std::string& what, double height) {
       if (!std::isnan(height)) exhibit.measure(fmt::format("{}_at_{:.3f}_s", what, times[k]), height);
@@ -182,36 +157,33 @@ void show_numbers(evidence::Exhibit& exhibit, const Results& runs, const ColumnF
   }
 }
 
-void draw(evidence::Exhibit& exhibit, const Results& runs, const ColumnFront& data) {
+void draw(evidence::Exhibit& exhibit, const Results& runs, const FrontBeside& front) {
   const Frames& finest = runs.back();
   auto& frames = exhibit.figure(
       "frames", "Dam break with sub-particle-scale turbulence",
-      fmt::format("Speed of the water, {}; spray above the panels is not shown.", finest.series().resolution()),
-      {"sph-fig-3"});
+      fmt::format("Speed of the water, {}; spray above the panels is not shown.", finest.resolution()), {"sph-fig-3"});
   for (std::size_t k = 0; k < times.size(); ++k) {
     draw_speed(
-        frames, finest.particles[k], finest.series().spacing,
+        frames, finest.particles[k], finest.spacing,
         {.title = fmt::format("t = {:.3f} s", times[k]), .frame = {-0.03 * a, (tank + 0.03) * a, -0.03 * a, 2.2 * a}});
   }
   auto& panel = add_panel(exhibit, "front", "Position of the front",
                           "Beside the square column of Martin and Moyce: without and with one shift.",
                           {.x = "t sqrt(g/a)", .y = "X/a", .x_max = 3, .y_max = tank});
   for (const Frames& one : runs) {
-    panel.line(fmt::format("SPH, a/{:.0f}", a / one.series().spacing), one.series().T, one.series().front,
+    panel.line(fmt::format("SPH, a/{:.0f}", a / one.spacing), one.T, one.front,
                &one == &finest ? Role::computed : Role::peer);
   }
-  const ShiftedFront fit = fit_of(finest.series(), data);
-  panel.line(fmt::format("{:.2f} later", fit.shift), each(finest.series().T, [&](double T) { return T + fit.shift; }),
-             finest.series().front, Role::guide);
-  panel.points(data.label, data.T, data.X, Role::data, std::vector<double>(data.X.size(), data.uncertainty));
+  front.draw_later(panel, finest, "", Role::guide);
+  front.data.draw(panel);
 }
 
 void show(const Results& runs, const Values& values, evidence::Exhibit& exhibit) {
-  const ColumnFront data = column_front("martin_moyce_square", values);
-  show_numbers(exhibit, runs, data);
+  const FrontBeside front = beside(values);
+  show_numbers(exhibit, runs, front);
   const wcsph::Settings settings = dam_of(values, values.integer("cells")).settings;
   for (std::size_t k = 0; k < times.size(); ++k) add_particles(exhibit, times[k], runs.back().particles[k], settings);
-  draw(exhibit, runs, data);
+  draw(exhibit, runs, front);
 }
 
 void dam_break_sph_turbulence(Case& c) {

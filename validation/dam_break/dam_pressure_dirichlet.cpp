@@ -50,19 +50,6 @@ struct Stabilisation {
 constexpr std::array stabilisations{Stabilisation{0, "none"}, Stabilisation{0.001, "1e-3"}, Stabilisation{0.01, "1e-2"},
                                     Stabilisation{0.1, "1e-1"}, Stabilisation{1, "1"}};
 
-/// The column with a free right face.
-Mesh column(const Values& values, long ny) {
-  const double height = values.real("height");
-  const double length = values.real("length");
-  return free_lagrangian::layer_mesh(
-      {.end = length,
-       .bottom = 0,
-       .level = height,
-       .columns = static_cast<int>(std::lround(static_cast<double>(ny) * length / height)),
-       .rows = static_cast<int>(ny),
-       .right_wall = false});
-}
-
 /// Multipliers of the cells, and how far they are from the exact pressure.
 struct Pressure {
   Mesh mesh;
@@ -72,7 +59,15 @@ struct Pressure {
 };
 
 Pressure pressure_of(const Values& values, const ReleasedColumn& exact, long ny, double stabilisation) {
-  Pressure pressure{.mesh = column(values, ny)};
+  const double height = values.real("height");
+  const double length = values.real("length");
+  Pressure pressure{.mesh = free_lagrangian::layer_mesh(
+                        {.end = length,
+                         .bottom = 0,
+                         .level = height,
+                         .columns = static_cast<int>(std::lround(static_cast<double>(ny) * length / height)),
+                         .rows = static_cast<int>(ny),
+                         .right_wall = false})};
   dirichlet_mesh::Model model(pressure.mesh, {.stabilisation = stabilisation});
   // Dynamic pressure p + rho g y of water that is at rest and let go at this instant.
   model.linearise({}, model.state().q);
@@ -81,13 +76,12 @@ Pressure pressure_of(const Values& values, const ReleasedColumn& exact, long ny,
   model.kick(1, acceleration);
   mechanics::Projection(model).project(acceleration, {}, pressure.values);
   const Mesh& mesh = pressure.mesh;
-  const double height = values.real("height");
   Mean errors;
   for (std::size_t k = 0; k < mesh.nodes(); ++k) {
     const double x = mesh.x[k];
     const double y = mesh.y[k];
     if (x == 0 && y == 0) pressure.corner = pressure.values[k] / height;
-    if (x == values.real("length") || y == height) continue;
+    if (x == length || y == height) continue;
     errors.add((pressure.values[k] - exact.dynamic_pressure(x, y)) / height);
   }
   pressure.rms = errors.rms();
@@ -102,15 +96,6 @@ std::vector<long> meshes_up_to(long ny) {
 
 std::string title_of(double stabilisation) {
   return fmt::format("stabilisation {:g}", stabilisation);
-}
-
-/// One quantity for each of the stabilisations.
-RefinementStudy study_of_table() {
-  RefinementStudy study{.source = source};
-  for (const auto& [stabilisation, id] : stabilisations) {
-    study.quantities.push_back({.id = id, .name = title_of(stabilisation)});
-  }
-  return study;
 }
 
 /// The order of the case's own stabilisation.
@@ -186,20 +171,16 @@ void draw_pressure(const Results& r, const Values& values, evidence::Exhibit& ex
   auto& figure =
       exhibit.figure("pressure", "Pressure of a water column at its release",
                      "Along the floor and along the wall, over rho g H, on the finest mesh.", {"frank-dirichlet"});
-  struct Side {
-    std::string axis;
-    bool floor;
-  };
-  for (const Side& side : {Side{"x/H on the floor", true}, Side{"y/H at the wall", false}}) {
+  for (const auto& [axis, floor] : {std::pair{"x/H on the floor", true}, std::pair{"y/H at the wall", false}}) {
     std::vector<double> place, computed, exact;
     const Mesh& mesh = r.finest.mesh;
     for (std::size_t k = 0; k < mesh.nodes(); ++k) {
-      if ((side.floor ? mesh.y[k] : mesh.x[k]) != 0) continue;
-      place.push_back((side.floor ? mesh.x[k] : mesh.y[k]) / r.height);
+      if ((floor ? mesh.y[k] : mesh.x[k]) != 0) continue;
+      place.push_back((floor ? mesh.x[k] : mesh.y[k]) / r.height);
       computed.push_back((r.finest.values[k] - mesh.y[k]) / r.height);
       exact.push_back(r.exact.pressure(mesh.x[k], mesh.y[k]) / r.height);
     }
-    auto& panel = figure.panel({.x = side.axis, .y = "p/(rho g H)"});
+    auto& panel = figure.panel({.x = axis, .y = "p/(rho g H)"});
     panel.line("exact", place, exact, Role::exact);
     panel.points(title_of(values.real("stabilisation")), place, computed, Role::computed);
   }
@@ -207,7 +188,10 @@ void draw_pressure(const Results& r, const Values& values, evidence::Exhibit& ex
 
 void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   draw_pressure(r, values, exhibit);
-  const RefinementStudy study = study_of_table();
+  RefinementStudy study{.source = source};  // a quantity for each of the stabilisations
+  for (const auto& [stabilisation, id] : stabilisations) {
+    study.quantities.push_back({.id = id, .name = title_of(stabilisation)});
+  }
   study.draw(r.tabulated, add_panel(exhibit, "convergence", "Error against the mesh, for five stabilisations",
                                     "Root mean square over the cells inside; grey lines have slopes 1 and 2.",
                                     {.x = "cells over the height", .y = "error", .log_x = true, .log_y = true}));

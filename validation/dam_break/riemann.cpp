@@ -118,11 +118,6 @@ SetUp set_up(const Values& values) {
   return s;
 }
 
-struct Results {
-  SetUp set_up;
-  FlowRun flow;
-};
-
 /// Over that of Rusanov's flux: the scheme of Lax and Friedrichs has dx^2/(2 dt) everywhere.
 double viscosity_of(const SetUp& s) {
   if (s.discretisation.scheme != "lax_friedrichs") return 1;
@@ -135,22 +130,22 @@ double viscosity_of(const SetUp& s) {
   return cell / (fastest * s.discretisation.time_step);
 }
 
-void claims(const Values& values, const Claims<Results>& claims) {
+void claims(const Values& values, const Claims<FlowRun>& claims) {
   const SetUp s = set_up(values);
   const auto here = claims.at(s.discretisation.text());
-  claim_conservation(here.of(&Results::flow), s.problem, s.discretisation, s.time);
+  claim_conservation(here, s.problem, s.discretisation, s.time);
 
   // A particle keeps its water, and of first order it is as coarse as it is long.
   const double deepest = std::max(s.solution.left().depth, s.solution.right().depth);
   const double stretched = s.discretisation.scheme == "G1" && !s.dry() ? deepest / s.solution.star().depth : 1;
   const double cell = std::max(1.0, stretched) * s.problem.length() / static_cast<double>(s.discretisation.particles);
-  claim_states(here.of(&Results::flow), states_of(values), cell, viscosity_of(s));
+  claim_states(here, states_of(values), cell, viscosity_of(s));
   here.only_if(s.discretisation.scheme == "H2" && s.dry(), "only H2 tracks a dry front")
       .check(
           "dry-front", "The position of the dry front equals the exact solution to round-off.", "front position [m]",
-          [](const Results& r) -> Measurement {
-            return {.value = r.set_up.judged_position(r.flow.profile()),
-                    .told = {.operations = std::pow(static_cast<double>(r.flow.steps()) / 4, 2)}};
+          [s](const FlowRun& flow) -> Measurement {
+            return {.value = s.judged_position(flow.profile()),
+                    .told = {.operations = std::pow(static_cast<double>(flow.steps()) / 4, 2)}};
           },
           Roundoff{.operations = Amount::told_by_run(std::pow(most_steps(s.problem, s.discretisation, s.time) / 4, 2)),
                    .scale = std::abs(s.judged.front.position) + s.problem.length(),
@@ -160,30 +155,28 @@ void claims(const Values& values, const Claims<Results>& claims) {
                    .expected = s.judged.front.position});
 }
 
-Results compute(const Run& run) {
-  Results r{.set_up = set_up(run)};
-  const SetUp& s = r.set_up;
-  r.flow = compute_flow(s.problem, s.discretisation, {s.time}, [&](double done) { run.progress(done); });
-  return r;
+FlowRun compute(const Run& run) {
+  const SetUp s = set_up(run);
+  return compute_flow(s.problem, s.discretisation, {s.time}, [&](double done) { run.progress(done); });
 }
 
-void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
-  const SetUp& s = r.set_up;
-  exhibit.measure("cell_l1_h", r.flow.errors.cell.depth.l1);
-  exhibit.measure("reconstructed_l1_h", r.flow.errors.reconstructed.depth.l1);
-  exhibit.measure("max_courant", r.flow.max_courant);
-  measure_own(wanted_states(states_of(values)), submitted_profile(r.flow.profile()), exhibit);
+void show(const FlowRun& flow, const Values& values, evidence::Exhibit& exhibit) {
+  const SetUp s = set_up(values);
+  exhibit.measure("cell_l1_h", flow.errors.cell.depth.l1);
+  exhibit.measure("reconstructed_l1_h", flow.errors.reconstructed.depth.l1);
+  exhibit.measure("max_courant", flow.max_courant);
+  measure_own(wanted_states(states_of(values)), submitted_profile(flow.profile()), exhibit);
   exhibit.measure("star_depth", s.solution.star().depth);
   exhibit.measure("star_velocity", s.solution.star().velocity);
-  exhibit.measure("front_position", s.judged_position(r.flow.profile()));
+  exhibit.measure("front_position", s.judged_position(flow.profile()));
   exhibit.measure("front_position_exact", s.judged.front.position);
-  if (s.judged.is_jump) exhibit.measure("front_width", front_width(r.flow.profile(), s.judged.front));
+  if (s.judged.is_jump) exhibit.measure("front_width", front_width(flow.profile(), s.judged.front));
   auto& figure = exhibit.figure(
       "profile", "Depth and velocity",
       fmt::format(
           "At t = {:g} s: the exact solution, and the {} as rectangles of their mean depth and dots at their velocity.",
           s.time, s.particles() ? "particles" : "cells"));
-  draw_frame(figure, exhibit, r.flow, r.flow.frames.back(), fmt::format("t = {:g} s", s.time));
+  draw_frame(figure, exhibit, flow, flow.frames.back(), fmt::format("t = {:g} s", s.time));
 }
 
 void riemann(Case& c) {

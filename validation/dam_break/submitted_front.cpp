@@ -21,73 +21,35 @@ double slope_at(Curve curve, double T) {
   return (linear_at(curve, to) - linear_at(curve, from)) / (to - from);
 }
 
-/// Where a front stood before it was let go.
-double front_at(Curve computed, double T) {
-  return linear_at(computed, T < computed.x.front() ? computed.x.front() : T);
-}
-
-struct Normal {
-  double ss = 0, sr = 0, rr = 0;  ///< of shift and rate
-  double s = 0, r = 0;            ///< right side
-  [[nodiscard]] double determinant() const { return ss * rr - sr * sr; }
-};
-
-/// What counts of the published points, and why the others do not.
+/// What counts of the published points, and how many do not, and why.
 struct Counting {
   std::vector<std::size_t> used;
-  std::size_t beyond = 0;  ///< the farthest X that counts
-  std::size_t later = 0;   ///< than the front is known
-  std::size_t before = 0;  ///< the front is known
+  std::string text;
 };
 
 Counting counting(Curve computed, const ColumnFront& data, double farthest) {
-  Counting count;
   const double latest = computed.x.back() + ShiftRange{}.lowest;
   const double earliest = known_from(computed);
+  Counting count;
+  std::size_t beyond = 0, later = 0, before = 0;
   for (std::size_t i = 0; i < data.T.size(); ++i) {
     if (data.X[i] > farthest) {
-      ++count.beyond;
+      ++beyond;
     } else if (data.T[i] > latest) {
-      ++count.later;
+      ++later;
     } else if (data.T[i] < earliest) {
-      ++count.before;
+      ++before;
     } else {
       count.used.push_back(i);
     }
   }
+  count.text = fmt::format("{} of {} published points count", count.used.size(), data.T.size());
+  if (beyond > 0) count.text += fmt::format(", {} lie beyond X/a = {:.3g}", beyond, farthest);
+  if (later > 0) {
+    count.text += fmt::format(", {} later than the front is known for every shift, T = {:.3g}", later, latest);
+  }
+  if (before > 0) count.text += fmt::format(", {} lie before it is known: begin at T = 0", before);
   return count;
-}
-
-std::string text_of(const Counting& count, const ColumnFront& data, double farthest, Curve computed) {
-  std::string text = fmt::format("{} of {} published points count", count.used.size(), data.T.size());
-  if (count.beyond > 0) text += fmt::format(", {} lie beyond X/a = {:.3g}", count.beyond, farthest);
-  if (count.later > 0) {
-    text += fmt::format(", {} later than the front is known for every shift, T = {:.3g}", count.later,
-                        computed.x.back() + ShiftRange{}.lowest);
-  }
-  if (count.before > 0) text += fmt::format(", {} lie before it is known: begin at T = 0", count.before);
-  return text;
-}
-
-/// How far the front falls back behind where it has been.
-double largest_retreat(const std::vector<double>& X) {
-  Largest reached, retreat;
-  for (const double x : X) {
-    reached.add(x);
-    retreat.add(reached.value() - x);
-  }
-  return retreat.value();
-}
-
-void draw(const ColumnFront& data, const SubmittedGroup& front, const FrontFit& fit, evidence::Record& record) {
-  const std::vector<double>& X = front.values.at("X");
-  auto& panel = add_panel(record, "shifted", "Position of the front",
-                          "Without a shift, and with the best fit of time shift and rate.",
-                          {.x = data.tall ? "t sqrt(2g/a)" : "t sqrt(g/a)", .y = "X/a"});
-  const std::vector<double> fitted = each(front.abscissa, [&](double T) { return T / fit.rate + fit.shift; });
-  panel.line("as it stands", front.abscissa, X, evidence::Role::computed);
-  panel.line(fmt::format("{:.2f} later, {:.3g} times as fast", fit.shift, fit.rate), fitted, X, evidence::Role::peer);
-  panel.points(data.label, data.T, data.X, evidence::Role::data, std::vector<double>(data.X.size(), data.uncertainty));
 }
 
 }  // namespace
@@ -95,19 +57,20 @@ void draw(const ColumnFront& data, const SubmittedGroup& front, const FrontFit& 
 FrontFit front_fit(Curve computed, const ColumnFront& data, double farthest, std::optional<double> stated) {
   const Counting count = counting(computed, data, farthest);
   if (count.used.size() < 3) {
-    throw std::invalid_argument(text_of(count, data, farthest, computed) +
-                                ": three are needed; scored_to says how far a front is scored");
+    throw std::invalid_argument(count.text + ": three are needed; scored_to says how far a front is scored");
   }
   FrontFit fit{.points = count.used.size()};
-  Normal n;
-  constexpr int iterations = 60;  // of Gauss and Newton: a smooth problem of two unknowns
+  // The normal matrix of shift and rate; a smooth problem, by Gauss and Newton.
+  double ss = 0, sr = 0, rr = 0;
   std::vector<double> weighted_s, weighted_r;
-  double variance = 0;
+  Mean variance;
+  constexpr int iterations = 60;
   for (int k = 0; k < iterations; ++k) {
-    n = {};
+    ss = sr = rr = 0;
     weighted_s.clear();
     weighted_r.clear();
-    variance = 0;
+    variance = {};
+    double s = 0, r = 0;  // right side
     for (const std::size_t i : count.used) {
       const double T = fit.rate * (data.T[i] - fit.shift);
       const double inside = std::clamp(T, computed.x.front(), computed.x.back());
@@ -115,32 +78,31 @@ FrontFit front_fit(Curve computed, const ColumnFront& data, double farthest, std
       const double w = 1 / (std::pow(data.uncertainty, 2) + std::pow(slope * data.time_uncertainty, 2));
       const double by_shift = -fit.rate * slope;
       const double by_rate = (data.T[i] - fit.shift) * slope;
-      const double left = data.X[i] - front_at(computed, inside);
-      n.ss += w * by_shift * by_shift;
-      n.sr += w * by_shift * by_rate;
-      n.rr += w * by_rate * by_rate;
-      n.s += w * by_shift * left;
-      n.r += w * by_rate * left;
+      const double left = data.X[i] - linear_at(computed, inside);
+      ss += w * by_shift * by_shift;
+      sr += w * by_shift * by_rate;
+      rr += w * by_rate * by_rate;
+      s += w * by_shift * left;
+      r += w * by_rate * left;
       weighted_s.push_back(w * by_shift);
       weighted_r.push_back(w * by_rate);
-      variance += 1 / w;
+      variance.add(1 / w);
     }
-    const double det = n.determinant();
-    fit.shift += (n.rr * n.s - n.sr * n.r) / det;
-    fit.rate += (n.ss * n.r - n.sr * n.s) / det;
+    fit.shift += (rr * s - sr * r) / (ss * rr - sr * sr);
+    fit.rate += (ss * r - sr * s) / (ss * rr - sr * sr);
   }
-  const double det = n.determinant();
-  fit.shift_uncertainty = std::sqrt(n.rr / det);
-  fit.rate_uncertainty = std::sqrt(n.ss / det);
+  const double det = ss * rr - sr * sr;
+  fit.shift_uncertainty = std::sqrt(rr / det);
+  fit.rate_uncertainty = std::sqrt(ss / det);
   if (stated) {
     double largest_change = 0;
     for (std::size_t i = 0; i < weighted_s.size(); ++i) {
-      largest_change += std::abs((n.ss * weighted_r[i] - n.sr * weighted_s[i]) / det);
+      largest_change += std::abs((ss * weighted_r[i] - sr * weighted_s[i]) / det);
     }
     fit.rate_numerical = largest_change * *stated;
   }
   fit.rms = shifted_front(computed, data.curve(), farthest).rms;
-  fit.expected = std::sqrt(variance / static_cast<double>(fit.points));
+  fit.expected = std::sqrt(variance.value());
   return fit;
 }
 
@@ -174,16 +136,15 @@ void judge_front(const ColumnFront& data, double farthest, double cell, const Su
                  const SolverFacts& facts, evidence::Record& record) {
   const std::vector<double>& X = front.values.at("X");
   const Curve computed{front.abscissa, X};
-  const auto of_X = facts.uncertainty.find("X");
-  const auto of_T = facts.uncertainty.find("T");
   std::optional<double> stated;
-  if (of_X != facts.uncertainty.end() || of_T != facts.uncertainty.end()) {
-    const double fastest = 2;  // no front of a column is faster: shallow water on a dry bed
-    stated = (of_X == facts.uncertainty.end() ? 0 : of_X->second.of(largest(data.X))) +
-             (of_T == facts.uncertainty.end() ? 0 : fastest * of_T->second.of(data.T.back()));
-  }
+  const auto add_stated = [&](const std::string& column, double size, double fastest) {
+    const auto found = facts.uncertainty.find(column);
+    if (found != facts.uncertainty.end()) stated = stated.value_or(0) + fastest * found->second.of(size);
+  };
+  add_stated("X", largest(data.X), 1);
+  add_stated("T", data.T.back(), 2);  // no front of a column is faster: shallow water on a dry bed
   const FrontFit fit = front_fit(computed, data, farthest, stated);
-  const std::string counted = text_of(counting(computed, data, farthest), data, farthest, computed);
+  const std::string counted = counting(computed, data, farthest).text;
   record.measure("points", static_cast<double>(fit.points));
   record.measure("published_points", static_cast<double>(data.T.size()));
   record.measure("time_shift", fit.shift);
@@ -222,14 +183,25 @@ void judge_front(const ColumnFront& data, double farthest, double cell, const Su
                Bound{.limit = fit.expected * (1 + 2 / std::sqrt(2 * n)),
                      .reason = "root mean square of sqrt(u_X^2 + (X' u_T)^2) over the points, and two standard "
                                "deviations of such a mean of n, a part 1/sqrt(2n) of it each"});
+  Largest reached, retreat;
+  for (const double x : X) {
+    reached.add(x);
+    retreat.add(reached.value() - x);
+  }
   record.check(
       {"advance", "The position of the front never falls back by more than one cell.", "largest retreat of X/a", "1",
        "water on a dry floor advances until it reaches a wall"},
-      {.value = largest_retreat(X), .resolution = fmt::format("cells of {:.3g} a", cell)},
+      {.value = retreat.value(), .resolution = fmt::format("cells of {:.3g} a", cell)},
       Bound{.limit = evidence::Amount::at_most(cell, 0.1),
             .reason =
                 "a front is known to one cell or particle; cells of more than a tenth of the column are inconclusive"});
-  draw(data, front, fit, record);
+  auto& panel = add_panel(record, "shifted", "Position of the front",
+                          "Without a shift, and with the best fit of time shift and rate.",
+                          {.x = data.tall ? "t sqrt(2g/a)" : "t sqrt(g/a)", .y = "X/a"});
+  panel.line("as it stands", front.abscissa, X, evidence::Role::computed);
+  panel.line(fmt::format("{:.2f} later, {:.3g} times as fast", fit.shift, fit.rate),
+             each(front.abscissa, [&](double T) { return T / fit.rate + fit.shift; }), X, evidence::Role::peer);
+  data.draw(panel);
 }
 
 }  // namespace seiche::validation
