@@ -34,8 +34,6 @@ run with a growth of more than 1 % in its last fifth is marked, and the limit of
 #include "validation/case/literature.hpp"
 #include "validation/case/on_threads.hpp"
 #include "validation/instruments/each.hpp"
-#include "validation/instruments/fine_limit.hpp"
-#include "validation/mach_reflection/kept_reflection.hpp"
 #include "validation/mach_reflection/reflection_run.hpp"
 
 namespace seiche::validation::cases::mach_reflection {
@@ -109,36 +107,6 @@ Results compute(const Run& run) {
   return all;
 }
 
-/// Of the finest lattice, with the uncertainty of its measure and of the lattice; the limit of fine lattices beside it.
-struct Value {
-  Measurement measured;
-  double limit;
-};
-Value value_of(const Configuration& one, const Quantity& quantity) {
-  const auto value = [&](const Reflection& reflection) { return quantity.measured(reflection).value; };
-  const FineLimit lattice =
-      fine_limit(each(one.ladder, [](const Reflection& r) { return r.run.spacing; }), each(one.ladder, value));
-  Measurement measured = quantity.measured(one.finest());
-  measured.uncertainty = std::hypot(measured.half_width(), lattice.uncertainty);
-  return {measured, lattice.value};
-}
-
-void show_numbers(evidence::Exhibit& exhibit, const Configuration& one, const std::string& suffix) {
-  const Reflection& finest = one.finest();
-  const auto keep = [&](const std::string& name, double value) { exhibit.measure(name + suffix, value); };
-  keep("a_w", finest.wall.back());
-  keep("a_i", finest.pattern.incident_amplitude.value);
-  if (finest.pattern.reflected) keep("a_r", finest.pattern.reflected->amplitude.value);
-  keep("kappa", finest.run.kappa());
-  keep("kappa_finite_angle", finest.run.kappa_finite_angle());
-  keep("stem_length", finest.pattern.stem_length.value);
-  keep("end_time", finest.time.back());
-  keep("worst_corner", finest.worst_corner);
-  keep("cells", static_cast<double>(finest.cells));
-  keep("iterations_per_step", finest.iterations);
-  keep("processor_seconds", finest.seconds);
-}
-
 /// Until the stem should have settled.
 bool long_enough(const ReflectionRun& run) {
   return run.time == 0 || run.time >= run.settled_time();
@@ -146,7 +114,7 @@ bool long_enough(const ReflectionRun& run) {
 
 /// Theory is of leading order in the amplitude.
 void claim_theory(const Claims<Configuration>& claims, double angle, const ReflectionRun& what) {
-  const MachReflection finite(what.amplitude, what.angle, MachReflection::Theory::kodama_yeh);
+  const MachReflection finite = what.finite_angles();
   constexpr double cusp = 0.15;
   claims
       .only_if(std::abs(finite.kappa() - 1) >= cusp,
@@ -231,24 +199,40 @@ void tabulate(evidence::Exhibit& exhibit, const std::vector<Configuration>& all)
                 "kappa for finite angles.",
                 {"angle [deg]", "quantity", "measured", "uncertainty", "limit", "Miles", "finite angles"});
   for (const Configuration& one : all) {
-    const ReflectionRun& what = one.finest().run;
-    const MachReflection miles(what.amplitude, what.angle);
-    const MachReflection finite(what.amplitude, what.angle, MachReflection::Theory::kodama_yeh);
     const auto theory = [](const MachReflection& t) {
       return std::vector{t.wall_ratio(), t.reflected_ratio(), degrees(t.reflected_angle()), degrees(t.stem_angle())};
     };
+    const std::vector<double> miles = theory(one.finest().run.miles());
+    const std::vector<double> finite = theory(one.finest().run.finite_angles());
     for (std::size_t k = 0; k < quantities.size(); ++k) {
-      const Quantity& quantity = quantities[k];
-      const Value value = value_of(one, quantity);
-      table.rows.push_back({one.angle, quantity.id, rounded(value.measured.value), rounded(value.measured.half_width()),
-                            rounded(value.limit), rounded(theory(miles)[k]), rounded(theory(finite)[k])});
+      const auto& [id, measured] = quantities[k];
+      const Measurement finest = measured(one.finest());
+      const FineLimit limit = limit_of_lattices(one.ladder, [&](const Reflection& r) { return measured(r).value; });
+      // With the uncertainty of its measure and of the lattice.
+      table.rows.push_back({one.angle, id, rounded(finest.value),
+                            rounded(std::hypot(finest.half_width(), limit.uncertainty)), rounded(limit.value),
+                            rounded(miles[k]), rounded(finite[k])});
     }
   }
 }
 
 void show(const Results& all, const Values& /*values*/, evidence::Exhibit& exhibit) {
   for (const Configuration& one : all) {
-    show_numbers(exhibit, one, &one == &all.front() ? "" : "_second");
+    const Reflection& finest = one.finest();
+    const auto keep = [&](const std::string& name, double value) {
+      exhibit.measure(name + (&one == &all.front() ? "" : "_second"), value);
+    };
+    keep("a_w", finest.wall.back());
+    keep("a_i", finest.pattern.incident_amplitude.value);
+    if (finest.pattern.reflected) keep("a_r", finest.pattern.reflected->amplitude.value);
+    keep("kappa", finest.run.kappa());
+    keep("kappa_finite_angle", finest.run.kappa_finite_angle());
+    keep("stem_length", finest.pattern.stem_length.value);
+    keep("end_time", finest.time.back());
+    keep("worst_corner", finest.worst_corner);
+    keep("cells", static_cast<double>(finest.cells));
+    keep("iterations_per_step", finest.iterations);
+    keep("processor_seconds", finest.seconds);
     draw_surface(exhibit, one);
   }
   draw_history(exhibit, all);

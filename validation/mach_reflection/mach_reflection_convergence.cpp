@@ -98,20 +98,18 @@ void claims(const Values& values, const Claims<Results>& claims) {
 Results compute(const Run& run) {
   Results r;
   const ReflectionRun base = usual_run(run);
-  std::vector<ReflectionRun> runs;
+  std::vector<ReflectionRun> runs(2 * rungs + 3, base);
   for (std::size_t k = 0; k < rungs; ++k) {
-    runs.push_back(base);
-    runs.back().spacing = 1.4 * std::pow(0.5, 0.5 * static_cast<double>(k));
-    runs.back().step = 0.125 / runs.back().spacing;
-    r.lattices.size.push_back(runs.back().spacing);
+    const double part = std::pow(0.5, 0.5 * static_cast<double>(k));
+    ReflectionRun& finer = runs[k];
+    finer.spacing = 1.4 * part;
+    finer.step = 0.125 / finer.spacing;
+    r.lattices.size.push_back(finer.spacing);
+    ReflectionRun& shorter = runs[rungs + k];
+    shorter.spacing = 0.7;
+    shorter.step = part;
+    r.steps.size.push_back(shorter.tau());
   }
-  for (std::size_t k = 0; k < rungs; ++k) {
-    runs.push_back(base);
-    runs.back().spacing = 0.7;
-    runs.back().step = std::pow(0.5, 0.5 * static_cast<double>(k));
-    r.steps.size.push_back(runs.back().tau());
-  }
-  runs.insert(runs.end(), 3, base);
   const ObliqueWave wave(base.amplitude, base.angle);
   runs[2 * rungs + 1].height = 2 * window_until(base.time, wave, base.spacing).height;
   runs[2 * rungs + 2].tolerance = 1e-10;

@@ -32,7 +32,6 @@ plateau is lower; the criterion there is 0.99 of the plateau, and the boundary i
 #include "validation/case/literature.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/mach_reflection/reflection_figures.hpp"
-#include "validation/mach_reflection/reflection_reference.hpp"
 
 namespace seiche::validation::cases::mach_reflection_curves {
 
@@ -56,36 +55,31 @@ const Plan* plan_of(double amplitude) {
   return found == plans.end() ? nullptr : &*found;
 }
 
-std::vector<double> angles_of(const Plan& plan, const std::vector<KnownReflection>& known) {
-  std::vector<double> angles = plan.more_angles;
-  for (const KnownReflection& one : known) {
-    if (std::abs(one.amplitude - plan.amplitude) < 1e-9) angles.push_back(one.angle);
-  }
-  return angles;
-}
-
-/// Whole degrees about resonance.
-std::vector<double> few_angles(double amplitude) {
-  return each(std::array{0.54, 0.67, 0.81, 0.95, 1.13, 1.35},
-              [&](double part) { return std::min(std::round(part * resonant_angle(amplitude)), 75.0); });
-}
-
-ReflectionSeries series_at(const Values& values, const std::vector<KnownReflection>& known, double amplitude) {
+/// At the angles of the tabulated runs and some more, or at whole degrees about resonance.
+ReflectionSeries series_at(const Values& values, const io::Table& tabulated, double amplitude) {
   const Plan* plan = plan_of(amplitude);
-  ReflectionSeries series{
-      .amplitude = amplitude,
-      .spacing = values.real("h") * (plan ? plan->coarseness : std::sqrt(0.3 / amplitude)),
-      .angles = plan && values.tier() != Tier::quick ? angles_of(*plan, known) : few_angles(amplitude)};
+  ReflectionSeries series{.amplitude = amplitude,
+                          .spacing = values.real("h") * (plan ? plan->coarseness : std::sqrt(0.3 / amplitude))};
+  if (plan && values.tier() != Tier::quick) {
+    series.angles = plan->more_angles;
+    for (std::size_t k = 0; k < tabulated.rows(); ++k) {
+      if (std::abs(tabulated.column("a_nominal")[k] - amplitude) > 1e-9) continue;
+      series.angles.push_back(tabulated.column("psi_i_deg")[k]);
+    }
+  } else {
+    series.angles = each(std::array{0.54, 0.67, 0.81, 0.95, 1.13, 1.35},
+                         [&](double part) { return std::min(std::round(part * resonant_angle(amplitude)), 75.0); });
+  }
   std::sort(series.angles.begin(), series.angles.end());
   return series;
 }
 
 std::vector<ReflectionSeries> series_of(const Values& values) {
-  const std::vector<KnownReflection> known = known_reflections(values);
+  const io::Table tabulated = values.table("mach_reflection_model2");
   const double amplitude = values.real("amplitude");
-  if (amplitude > 0) return {series_at(values, known, amplitude)};
+  if (amplitude > 0) return {series_at(values, tabulated, amplitude)};
   std::vector<ReflectionSeries> all;
-  for (const Plan& plan : plans) all.push_back(series_at(values, known, plan.amplitude));
+  for (const Plan& plan : plans) all.push_back(series_at(values, tabulated, plan.amplitude));
   return all;
 }
 
@@ -93,10 +87,6 @@ using Results = std::vector<ReflectionSeries>;
 
 std::string with(const std::string& id, const ReflectionSeries& series) {
   return id + "-" + id_of(series.amplitude);
-}
-
-std::string lattice_of(const ReflectionSeries& series) {
-  return fmt::format("h = {:g}", series.spacing);
 }
 
 /// Largest relative difference of the limits for infinite time from theory over the parameter for finite angles; away
@@ -251,9 +241,9 @@ Worst angle_difference(const ReflectionSeries& series) {
   return worst;
 }
 
-void claim_angles(const Claims<ReflectionSeries>& claims, const ReflectionSeries& series) {
-  claims.from(source)
-      .only_if(series.amplitude > 0.097 + 1e-9, "stated by Frank for waves higher than 0.097")
+void claim_angles(const Claims<ReflectionSeries>& all, const ReflectionSeries& series) {
+  const auto claims = all.from(source);
+  claims.only_if(series.amplitude > 0.097 + 1e-9, "stated by Frank for waves higher than 0.097")
       .check(
           with("angle-below-theory", series),
           fmt::format(
@@ -261,8 +251,7 @@ void claim_angles(const Claims<ReflectionSeries>& claims, const ReflectionSeries
               series.amplitude),
           "true of all angles", [](const ReflectionSeries& s) { return largest(over_miles(s)) < 0 ? 1.0 : 0.0; },
           Qualitative{.detector = "each angle is below Miles's sqrt(3a)", .reason = "stated by Frank"});
-  claims.from(source)
-      .only_if(series.amplitude == 0.05, "stated by Frank for his lowest waves")
+  claims.only_if(series.amplitude == 0.05, "stated by Frank for his lowest waves")
       .fails({.value = 0.074,
               .width = 0.016,
               .reason = "Miles's theory is one of small angles; tan(psi_r) = sqrt(3a) cos(psi_i) for finite angles "
@@ -273,14 +262,13 @@ void claim_angles(const Claims<ReflectionSeries>& claims, const ReflectionSeries
           "largest relative difference from Miles's sqrt(3a)",
           [](const ReflectionSeries& s) { return worst(over_miles(s)); },
           Bound{.limit = 0.05, .reason = "the neglected terms are of the order of the amplitude"});
-  claims.from(source).check(
-      with("angle-falls", series),
-      fmt::format("The angle of irregular reflection for a = {:g} falls as the angle of incidence grows.",
-                  series.amplitude),
-      "falls", angle_falls,
-      Qualitative{.detector = "decreasing from angle to angle up to kappa = 1, each within its uncertainty",
-                  .reason = "Frank: the dependence is not monotonic"});
-  claims.from(source).check(
+  claims.check(with("angle-falls", series),
+               fmt::format("The angle of irregular reflection for a = {:g} falls as the angle of incidence grows.",
+                           series.amplitude),
+               "falls", angle_falls,
+               Qualitative{.detector = "decreasing from angle to angle up to kappa = 1, each within its uncertainty",
+                           .reason = "Frank: the dependence is not monotonic"});
+  claims.check(
       with("angle-equal", series),
       fmt::format("The angle of regular reflection for a = {:g} equals the angle of incidence.", series.amplitude),
       "largest difference over its expanded uncertainty, kappa above 1.1", angle_difference,
@@ -295,7 +283,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const bool fine = values.real("h") < 0.5 + 1e-9;
   for (std::size_t k = 0; k < all.size(); ++k) {
     const ReflectionSeries& series = all[k];
-    const auto one = claims.at(lattice_of(series)).entry(k);
+    const auto one = claims.at(fmt::format("h = {:g}", series.spacing)).entry(k);
     const auto settled =
         one.only_if(values.real("time") == 0, "runs shorter than the settling time of their stems have no known limit");
     claim_theory(settled, series);

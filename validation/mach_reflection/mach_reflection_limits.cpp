@@ -37,8 +37,6 @@ depth lose is a grid error.
 #include "validation/case/on_threads.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/instruments/each.hpp"
-#include "validation/instruments/fine_limit.hpp"
-#include "validation/mach_reflection/kept_reflection.hpp"
 #include "validation/mach_reflection/reflection_run.hpp"
 #include "validation/mach_reflection/reflection_sweep.hpp"
 
@@ -63,33 +61,18 @@ struct Plan {
   double hexahedra_from;  ///< least angle of the hexahedra: below, their reflected crests sink into the ripples
 };
 
-/// In the quick tier one angle of each, by the columns.
-std::vector<Plan> plans(const Values& values) {
-  const double amplitude = values.real("amplitude");
-  std::vector<Plan> wanted;
-  for (Plan plan : std::vector<Plan>{{0.05, 2.5, {14, 17, 24}, none},
-                                     {0.097, 1.8, {18, 20, 22, 30}, 20},
-                                     {0.186, 1.2, {20, 25, 28, 40}, 25},
-                                     {0.3, 1, {25, 30, 33, 45}, none}}) {
-    if (amplitude != 0 && amplitude != plan.amplitude) continue;
-    if (values.tier() == Tier::quick) {
-      plan.angles = {plan.angles[1]};
-      plan.hexahedra_from = none;
-    }
-    wanted.push_back(std::move(plan));
-  }
-  if (wanted.empty()) {
-    throw std::invalid_argument(
-        fmt::format("amplitude = {:g}; allowed: 0.05, 0.097, 0.186, 0.3, or 0 for all of them", amplitude));
-  }
-  return wanted;
-}
+const std::vector<Plan> plans{{0.05, 2.5, {14, 17, 24}, none},
+                              {0.097, 1.8, {18, 20, 22, 30}, 20},
+                              {0.186, 1.2, {20, 25, 28, 40}, 25},
+                              {0.3, 1, {25, 30, 33, 45}, none}};
 
 /// One wave and one model: lattices, the finest first, and the other start on the coarsest.
 struct Wave {
   double amplitude = 0;
   double angle = 0;  ///< [deg]
   WaveModel model = WaveModel::plan;
+  double coarseness = 1;          ///< of the plan
+  bool starts_otherwise = false;  ///< too: the first angle of each plan
   std::vector<Reflection> lattices = {};
   std::optional<Reflection> strengthened = {};
 
@@ -114,8 +97,7 @@ struct Wave {
 
   /// Of fine lattices, from what each of them gave.
   [[nodiscard]] Measurement limit(Measurement (Reflection::*of)() const) const {
-    const FineLimit fine = fine_limit(each(lattices, [](const Reflection& r) { return r.run.spacing; }),
-                                      each(lattices, [&](const Reflection& r) { return (r.*of)().value; }));
+    const FineLimit fine = limit_of_lattices(lattices, [&](const Reflection& r) { return (r.*of)().value; });
     return {.value = fine.value,
             .uncertainty = std::hypot(fine.uncertainty, (lattices.front().*of)().half_width()),
             .resolution = fmt::format("{} and {} times that", lattices.front().run.resolution(), "1.4 and 2")};
@@ -124,31 +106,31 @@ struct Wave {
 
 using Results = std::vector<Wave>;
 
+/// In the quick tier one angle of each plan, by the columns.
 std::vector<Wave> waves(const Values& values) {
+  const double amplitude = values.real("amplitude");
+  const bool quick = values.tier() == Tier::quick;
   std::vector<Wave> all;
-  for (const Plan& plan : plans(values)) {
+  for (const Plan& plan : plans) {
+    if (amplitude != 0 && amplitude != plan.amplitude) continue;
     for (const double angle : plan.angles) {
-      all.push_back({.amplitude = plan.amplitude, .angle = angle});
-      if (angle >= plan.hexahedra_from)
-        all.push_back({.amplitude = plan.amplitude, .angle = angle, .model = WaveModel::hexahedra});
+      if (quick && angle != plan.angles[1]) continue;
+      all.push_back({.amplitude = plan.amplitude,
+                     .angle = angle,
+                     .coarseness = plan.coarseness,
+                     .starts_otherwise = quick || angle == plan.angles.front()});
+      if (quick || angle < plan.hexahedra_from) continue;
+      Wave layered = all.back();
+      layered.model = WaveModel::hexahedra;
+      layered.starts_otherwise = false;
+      all.push_back(layered);
     }
   }
-  return all;
-}
-
-double coarseness(const Values& values, double amplitude) {
-  for (const Plan& plan : plans(values)) {
-    if (plan.amplitude == amplitude) return plan.coarseness;
+  if (all.empty()) {
+    throw std::invalid_argument(
+        fmt::format("amplitude = {:g}; allowed: 0.05, 0.097, 0.186, 0.3, or 0 for all of them", amplitude));
   }
-  return nan;
-}
-
-/// The other start: of the first angle at each amplitude.
-bool starts_otherwise(const Values& values, const Wave& wave) {
-  if (wave.model != WaveModel::plan) return false;
-  return std::ranges::any_of(plans(values), [&](const Plan& plan) {
-    return plan.amplitude == wave.amplitude && plan.angles.front() == wave.angle;
-  });
+  return all;
 }
 
 Measurement relative(const Measurement& found, double expected) {
@@ -243,7 +225,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
     const auto wave = claims.entry(k);
     claim_theory(wave, all[k]);
     if (all[k].amplitude < small && all[k].stem()) claim_small(wave, all[k]);
-    if (starts_otherwise(values, all[k])) claim_start(wave, all[k]);
+    if (all[k].starts_otherwise) claim_start(wave, all[k]);
     if (all[k].model == WaveModel::hexahedra) claim_models(claims, all[k], k - 1, k);
   }
 }
@@ -251,15 +233,13 @@ void claims(const Values& values, const Claims<Results>& claims) {
 Results compute(const Run& run) {
   Results all = waves(run);
   struct Task {
-    std::size_t wave;
     ReflectionRun what;
     Reflection* result;
   };
   std::vector<Task> tasks;
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    Wave& wave = all[k];
+  for (Wave& wave : all) {
     wave.lattices.resize(lattices.size());
-    if (starts_otherwise(run, wave)) wave.strengthened.emplace();
+    if (wave.starts_otherwise) wave.strengthened.emplace();
     const bool layered = wave.model == WaveModel::hexahedra;
     ReflectionRun what{.amplitude = wave.amplitude,
                        .angle = radians(wave.angle),
@@ -267,13 +247,12 @@ Results compute(const Run& run) {
                        .layers = run.count("layers"),
                        .tolerance = layered ? 1e-6 : 1e-7};
     for (std::size_t lattice = 0; lattice < lattices.size(); ++lattice) {
-      what.spacing =
-          run.real("h") * coarseness(run, wave.amplitude) * (layered ? coarser_layers : 1) * lattices[lattice];
-      tasks.push_back({k, what, &wave.lattices[lattice]});
+      what.spacing = run.real("h") * wave.coarseness * (layered ? coarser_layers : 1) * lattices[lattice];
+      tasks.push_back({what, &wave.lattices[lattice]});
     }
     if (!wave.strengthened) continue;
     what.excess = excess;
-    tasks.push_back({k, what, &*wave.strengthened});
+    tasks.push_back({what, &*wave.strengthened});
   }
   on_threads(run, tasks.size(), [&](std::size_t k) { *tasks[k].result = reflect_as_part(run, tasks[k].what); });
   return all;
@@ -328,13 +307,13 @@ void show(const Results& all, const Values& /*values*/, evidence::Exhibit& exhib
   for (const Wave& wave : all) {
     const Reflection& finest = wave.lattices.front();
     const double settling = wave.stem() ? finest.limit.exponential.rate / finest.run.settling_rate() : nan;
+    const MachReflection theory = wave.theory();
+    const double reflected = wave.limit(&Reflection::reflected_ratio).value;
     table.rows.push_back(
         {wave.name(), wave.amplitude, wave.angle, rounded(finest.run.spacing), rounded(wave.incident()),
-         rounded(wave.theory().kappa()), rounded(wave.limit(&Reflection::limit_ratio).value),
-         rounded(wave.theory().wall_ratio()), rounded(wave.limit(&Reflection::reflected_ratio).value),
-         rounded(wave.theory().reflected_ratio()),
-         rounded(3 * wave.limit(&Reflection::reflected_ratio).value * wave.incident() /
-                 std::pow(radians(wave.angle), 2)),
+         rounded(theory.kappa()), rounded(wave.limit(&Reflection::limit_ratio).value), rounded(theory.wall_ratio()),
+         rounded(reflected), rounded(theory.reflected_ratio()),
+         rounded(3 * reflected * wave.incident() / std::pow(radians(wave.angle), 2)),
          rounded(wave.limit(&Reflection::reflected_angle).value), rounded(wave.theory_angle()),
          wave.stem() ? fmt::format("{:.2f}", settling) : std::string("-"), rounded(finest.seconds, 10)});
   }

@@ -48,6 +48,7 @@ constexpr double width = 34;                               // of the channel
 constexpr double start = 20;                               // of the crest
 constexpr double bend = 45;                                // of the wall
 constexpr double farthest = 43;                            // along the turned wall
+constexpr double tank = 30;                                // how far from the bend Melville measured
 constexpr std::size_t layers = 2;                          // of hexahedra
 const std::vector<double> factors{1.0, 1.4, 2.0};          // spacings of columns over h
 const std::vector<double> layered_factors{1.4, 1.7, 2.0};  // and of hexahedra
@@ -166,41 +167,33 @@ Measurement ratio_at(const Ladder& ladder, double distance) {
   return {.value = values.front(), .uncertainty = fine_limit(sizes, values).uncertainty};
 }
 
-void claim_early(const Claims<Ladder>& claims, double angle) {
-  constexpr double tank = 30;
-  claims.check(
-      "early-" + id_of(angle),
-      fmt::format("The stem amplitude at {:g} deg within {:g} h of the bend stays between 1 and 2 times the "
-                  "incident amplitude.",
-                  angle, tank),
-      "a_w/a_i there", [](const Ladder& ladder) { return ratio_at(ladder, tank); },
-      Bound{.limit = 0.5, .reason = "between 1 and 2: measured by Melville", .expected = 1.5});
-}
-
-void claim_models(const Claims<Results>& claims, double amplitude, double angle, std::size_t columns,
-                  std::size_t hexahedra) {
-  constexpr double tank = 30;
-  claims.check(
-      "models-" + id_of(angle),
-      fmt::format("The stem growth at {:g} deg, {:g} h from the bend, agrees between hexahedra and columns.", angle,
-                  tank),
-      "a_w/a_i - 1 there over the same of the columns, minus 1",
-      [=](const Results& r) -> Measurement {
-        const Measurement plain = ratio_at(r.at(columns), tank);
-        const Measurement layered = ratio_at(r.at(hexahedra), tank);
-        return {.value = (layered.value - 1) / (plain.value - 1) - 1,
-                .uncertainty = std::hypot(plain.half_width(), layered.half_width()) / (plain.value - 1)};
-      },
-      Bound{.limit = amplitude, .reason = "the two differ by terms of the order of the amplitude over the depth"});
-}
-
 void claims(const Values& values, const Claims<Results>& claims) {
   const std::vector<double> angles = angles_of(values);
   const double h = values.real("h");
   for (std::size_t k = 0; k < angles.size(); ++k) {
-    const auto ladder = claims.at(fmt::format("h = {:g}, tau = {:g}", h, 0.5 * h)).entry(k);
-    claim_early(ladder, angles[k]);
-    claim_models(claims, values.real("amplitude"), angles[k], k, angles.size() + k);
+    const double angle = angles[k];
+    claims.at(fmt::format("h = {:g}, tau = {:g}", h, 0.5 * h))
+        .entry(k)
+        .check(
+            "early-" + id_of(angle),
+            fmt::format("The stem amplitude at {:g} deg within {:g} h of the bend stays between 1 and 2 times the "
+                        "incident amplitude.",
+                        angle, tank),
+            "a_w/a_i there", [](const Ladder& ladder) { return ratio_at(ladder, tank); },
+            Bound{.limit = 0.5, .reason = "between 1 and 2: measured by Melville", .expected = 1.5});
+    claims.check(
+        "models-" + id_of(angle),
+        fmt::format("The stem growth at {:g} deg, {:g} h from the bend, agrees between hexahedra and columns.", angle,
+                    tank),
+        "a_w/a_i - 1 there over the same of the columns, minus 1",
+        [columns = k, hexahedra = angles.size() + k](const Results& r) -> Measurement {
+          const Measurement plain = ratio_at(r.at(columns), tank);
+          const Measurement layered = ratio_at(r.at(hexahedra), tank);
+          return {.value = (layered.value - 1) / (plain.value - 1) - 1,
+                  .uncertainty = std::hypot(plain.half_width(), layered.half_width()) / (plain.value - 1)};
+        },
+        Bound{.limit = values.real("amplitude"),
+              .reason = "the two differ by terms of the order of the amplitude over the depth"});
   }
 }
 
@@ -230,7 +223,7 @@ Results compute(const Run& run) {
   return all;
 }
 
-void draw(evidence::Exhibit& exhibit, const Results& all) {
+void show(const Results& all, const Values& /*values*/, evidence::Exhibit& exhibit) {
   const ReflectionRun example{.amplitude = all.front().front().channel.amplitude, .angle = radians(20)};
   auto& figure =
       exhibit.figure("growth", "Stem in a channel with a turned wall",
@@ -244,7 +237,9 @@ void draw(evidence::Exhibit& exhibit, const Results& all) {
   for (const Ladder& ladder : all) {
     const Growth& finest = ladder.front();
     const double angle = degrees(finest.channel.angle);
-    if (finest.channel.model == WaveModel::hexahedra) {
+    const bool layered = finest.channel.model == WaveModel::hexahedra;
+    exhibit.measure(fmt::format("a_i_{:g}{}", angle, layered ? "_hexahedra" : ""), finest.incident.value());
+    if (layered) {
       panel.line(fmt::format("{:g} deg, hexahedra", angle), finest.distance, finest.ratio, Role::peer);
       continue;
     }
@@ -256,16 +251,6 @@ void draw(evidence::Exhibit& exhibit, const Results& all) {
     panel.line("after infinite time", std::vector{0.0, farthest}, std::vector(2, theory.wall_ratio()), Role::guide);
     map.panel({.x = "x [depth]", .y = "y [depth]", .z = "elevation [depth]", .title = fmt::format("{:g} deg", angle)})
         .plan("elevation", finest.surface.lattice());
-  }
-}
-
-void show(const Results& all, const Values& /*values*/, evidence::Exhibit& exhibit) {
-  draw(exhibit, all);
-  for (const Ladder& ladder : all) {
-    const Growth& finest = ladder.front();
-    const double angle = degrees(finest.channel.angle);
-    const std::string by = finest.channel.model == WaveModel::plan ? "" : "_hexahedra";
-    exhibit.measure(fmt::format("a_i_{:g}{}", angle, by), finest.incident.value());
   }
 }
 

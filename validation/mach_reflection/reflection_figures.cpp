@@ -45,10 +45,8 @@ void theory_curve(Panel& panel, double (*ratio)(double), double last) {
 }
 
 double last_kappa(const std::vector<ReflectionSeries>& series, Kappa kappa) {
-  Largest last;
-  last.add(1.3);
-  for (const ReflectionSeries& one : series) last.add(kappas(one, kappa).back());
-  return std::min(last.value() + 0.05, 2.7);
+  const double last = largest(each(series, [&](const ReflectionSeries& one) { return kappas(one, kappa).back(); }));
+  return std::min(std::max(last, 1.3) + 0.05, 2.7);
 }
 
 /// Where runs did not become steady: their limits.
@@ -88,14 +86,12 @@ void draw_amplitudes(evidence::Exhibit& exhibit, const std::vector<ReflectionSer
     panel.line("Frank (1994)", std::vector{0.1, *frame.x_max}, std::vector{frank, frank}, Role::guide);
   };
   for (const Axis& axis : axes) {
-    draw(
-        axis, {.x = axis.label, .y = "a_w/a_i", .x_max = last_kappa(series, axis.kappa), .y_min = 1, .y_max = 4.1},
-        [](double k) { return MachReflection::wall_ratio(k); }, &Reflection::wall_ratio, 3.5);
+    draw(axis, {.x = axis.label, .y = "a_w/a_i", .x_max = last_kappa(series, axis.kappa), .y_min = 1, .y_max = 4.1},
+         MachReflection::wall_ratio, &Reflection::wall_ratio, 3.5);
   }
   for (const Axis& axis : axes) {
-    draw(
-        axis, {.x = axis.label, .y = "a_r/a_i", .x_max = last_kappa(series, axis.kappa), .y_min = 0, .y_max = 1.1},
-        [](double k) { return MachReflection::reflected_ratio(k); }, &Reflection::reflected_ratio, regular_from);
+    draw(axis, {.x = axis.label, .y = "a_r/a_i", .x_max = last_kappa(series, axis.kappa), .y_min = 0, .y_max = 1.1},
+         MachReflection::reflected_ratio, &Reflection::reflected_ratio, regular_from);
   }
 }
 
@@ -110,31 +106,29 @@ void draw_regimes(evidence::Exhibit& exhibit, const std::vector<ReflectionSeries
   const std::vector<double> fine = evenly(1e-4, 0.4, 200);
   panel.line("psi = sqrt(3a)", fine, each(fine, [](double a) { return degrees(std::sqrt(3 * a)); }), Role::exact);
   panel.line("tan(psi)/cos(psi) = sqrt(3a)", fine, each(fine, resonant_angle), Role::exact);
-  std::vector<double> irregular_a, irregular_psi, regular_a, regular_psi;
-  for (const ReflectionSeries& one : series) {
-    for (std::size_t k = 0; k < one.angles.size(); ++k) {
-      const double ratio = one.reflections[k].reflected_ratio().value;
-      if (!std::isfinite(ratio)) continue;
-      (ratio < one.regular_ratio() ? irregular_a : regular_a).push_back(one.amplitude);
-      (ratio < one.regular_ratio() ? irregular_psi : regular_psi).push_back(one.angles[k]);
+  for (const bool regular : {false, true}) {
+    std::vector<double> amplitude, angle;
+    for (const ReflectionSeries& one : series) {
+      for (std::size_t k = 0; k < one.angles.size(); ++k) {
+        const double ratio = one.reflections[k].reflected_ratio().value;
+        if (!std::isfinite(ratio) || (ratio < one.regular_ratio()) == regular) continue;
+        amplitude.push_back(one.amplitude);
+        angle.push_back(one.angles[k]);
+      }
     }
+    if (!angle.empty()) panel.points(regular ? "regular" : "irregular", amplitude, angle);
   }
-  if (!irregular_a.empty()) panel.points("irregular", irregular_a, irregular_psi);
-  if (!regular_a.empty()) panel.points("regular", regular_a, regular_psi);
   const io::Table published = values.table("mach_reflection_angles_published");
   for (std::size_t k = 0; k < published.column("angle").size(); ++k) {
     if (std::lround(published.column("quantity")[k]) != 1) continue;
     const double angle = published.column("angle")[k];
-    switch (std::lround(published.column("source")[k])) {
-      case 1:
-        panel.points("Tanaka (1993)", std::vector{published.column("a_from")[k]}, std::vector{angle}, Role::data,
-                     std::vector{0.5});
-        break;
-      case 3:
-        panel.line("Chen", std::vector{0.0, 0.4}, std::vector{angle, angle}, Role::guide);
-        break;
-      default:
-        panel.line("Perroud (1957)", std::vector{0.0, 0.4}, std::vector{angle, angle}, Role::guide);
+    const long source = std::lround(published.column("source")[k]);
+    if (source == 1) {
+      panel.points("Tanaka (1993)", std::vector{published.column("a_from")[k]}, std::vector{angle}, Role::data,
+                   std::vector{0.5});
+    } else {
+      panel.line(source == 3 ? "Chen" : "Perroud (1957)", std::vector{0.0, 0.4}, std::vector{angle, angle},
+                 Role::guide);
     }
   }
 }

@@ -14,12 +14,9 @@
 #include "seiche/require.hpp"
 #include "seiche/require_that.hpp"
 #include "seiche/samples.hpp"
-#include "validation/instruments/agreement.hpp"
 
 namespace seiche::validation {
 namespace {
-
-using exact::MachReflection;
 
 constexpr double between_heights = 2.5;  // time between two values of a_w
 constexpr long patterns = 20;            // in the last two fifths, for the path of the stem's end
@@ -28,14 +25,6 @@ double thread_seconds() {
   std::timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-evidence::Measurement over(const evidence::Measurement& a, const evidence::Measurement& b,
-                           const std::string& resolution) {
-  const double value = a.value / b.value;
-  return {.value = value,
-          .uncertainty = std::abs(value) * std::hypot(a.half_width() / a.value, b.half_width() / b.value),
-          .resolution = resolution};
 }
 
 /// Throws Divergence where the lattice shows no pattern.
@@ -49,7 +38,7 @@ ReflectionPattern pattern_of(const SurfaceLattice& surface, const ReflectionRun&
 }
 
 template <class Flow>
-Reflection follow(Flow& flow, const ReflectionRun& run, const std::function<void(double)>& progress) {
+Reflection follow(Flow flow, const ReflectionRun& run) {
   Reflection result{.run = run};
   const double begin = thread_seconds();
   const double end = run.duration();
@@ -81,7 +70,6 @@ Reflection follow(Flow& flow, const ReflectionRun& run, const std::function<void
       summed = 0;
       tallest = {};
       lowest = {};
-      if (progress) progress(static_cast<double>(step) / static_cast<double>(steps));
     }
     if ((steps - step) % every_pattern == 0 && 5 * (steps - step) <= 2 * steps) {
       result.pattern = pattern_of(now, run, flow.time(), step);
@@ -107,26 +95,10 @@ WaveModel wave_model_named(std::string_view name) {
   return value_named<WaveModel>("model", name, {{"plan", WaveModel::plan}, {"hexahedra", WaveModel::hexahedra}});
 }
 
-double degrees(double radians) {
-  return radians * 180 / std::numbers::pi;
-}
-
-double radians(double degrees) {
-  return degrees * std::numbers::pi / 180;
-}
-
 std::string id_of(double number) {
   std::string id = fmt::format("{:g}", number);
   std::replace(id.begin(), id.end(), '.', '_');
   return id;
-}
-
-double ReflectionRun::kappa() const {
-  return MachReflection(amplitude, angle).kappa();
-}
-
-double ReflectionRun::kappa_finite_angle() const {
-  return MachReflection(amplitude, angle, MachReflection::Theory::kodama_yeh).kappa();
 }
 
 double ReflectionRun::settling_rate() const {
@@ -145,22 +117,14 @@ std::string ReflectionRun::resolution() const {
                      model == WaveModel::plan ? "" : fmt::format("{} layers, ", layers), spacing, tau(), duration());
 }
 
-double Reflection::wall_at(double when) const {
-  return linear_at({time, wall}, std::clamp(when, time.front(), time.back()));
-}
-
 evidence::Measurement Reflection::wall_ratio() const {
   const evidence::Measurement end{.value = wall.back(), .uncertainty = ripple};
-  return over(end, pattern.incident_amplitude, run.resolution());
-}
-
-evidence::Measurement Reflection::limit_ratio() const {
-  return over(limit.amplitude, pattern.incident_amplitude, run.resolution());
+  return quotient(end, pattern.incident_amplitude, run.resolution());
 }
 
 evidence::Measurement Reflection::reflected_ratio() const {
   if (!pattern.reflected) return {.resolution = run.resolution()};
-  return over(pattern.reflected->amplitude, pattern.incident_amplitude, run.resolution());
+  return quotient(pattern.reflected->amplitude, pattern.incident_amplitude, run.resolution());
 }
 
 evidence::Measurement Reflection::reflected_angle() const {
@@ -169,11 +133,7 @@ evidence::Measurement Reflection::reflected_angle() const {
   return {.value = degrees(angle.value), .uncertainty = degrees(angle.half_width()), .resolution = run.resolution()};
 }
 
-std::string Reflection::growth_flag() const {
-  return limit.steady() ? "steady" : fmt::format("growth {:.1f} %: not steady", 100 * limit.growth);
-}
-
-Reflection reflect(const ReflectionRun& run, const std::function<void(double)>& progress) {
+Reflection reflect(const ReflectionRun& run) {
   require_positive("spacing", run.spacing);
   require_within("time", run.time, 0, 1e6);
   const ObliqueWave wave(run.amplitude, run.angle);
@@ -181,11 +141,38 @@ Reflection reflect(const ReflectionRun& run, const std::function<void(double)>& 
   if (run.height > 0) window.height = run.height;
   window.excess = run.excess;
   if (run.model == WaveModel::hexahedra) {
-    auto flow = layered_reflection_flow(wave, window, run.layers, {.tolerance = run.tolerance});
-    return follow(flow, run, progress);
+    return follow(layered_reflection_flow(wave, window, run.layers, {.tolerance = run.tolerance}), run);
   }
-  auto flow = reflection_flow(wave, window, {.tolerance = run.tolerance});
-  return follow(flow, run, progress);
+  return follow(reflection_flow(wave, window, {.tolerance = run.tolerance}), run);
+}
+
+void exchange(Tape& tape, Measurement& m) {
+  tape(m.value, m.uncertainty, m.resolution, m.where, m.told);
+}
+void exchange(Tape& tape, ReflectedCrest& crest) {
+  tape(crest.amplitude, crest.angle, crest.line, crest.crests);
+}
+void exchange(Tape& tape, ReflectionPattern& p) {
+  tape(p.wall_amplitude, p.wall, p.incident_amplitude, p.incident_angle, p.incident_line, p.incident, p.stem_length,
+       p.reflected);
+}
+void exchange(Tape& tape, SurfacePart& surface) {
+  tape(surface.columns, surface.rows, surface.x, surface.y, surface.z);
+}
+void exchange(Tape& tape, WallLimit& limit) {
+  tape(limit.amplitude, limit.growth, limit.exponential, limit.algebraic);
+}
+void exchange(Tape& tape, Reflection& r) {
+  tape(r.run, r.time, r.wall, r.ripple, r.pattern, r.surface, r.limit, r.stem, r.worst_corner, r.cells, r.iterations,
+       r.seconds);
+}
+
+Reflection reflect_as_part(const Run& run, const ReflectionRun& what) {
+  const std::string every_number =
+      fmt::format("{} {} a {} psi {} h {} tau {} t {} height {} tolerance {} excess {}",
+                  what.model == WaveModel::plan ? "plan" : "hexahedra", what.layers, what.amplitude, what.angle,
+                  what.spacing, what.tau(), what.duration(), what.height, what.tolerance, what.excess);
+  return run.part(every_number).result<Reflection>([&] { return reflect(what); });
 }
 
 }  // namespace seiche::validation

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "seiche/samples.hpp"
 #include "validation/case/on_threads.hpp"
-#include "validation/mach_reflection/kept_reflection.hpp"
 
 namespace seiche::validation {
 
@@ -58,13 +58,8 @@ AngleLaw angle_law(const ReflectionSeries& series, double last) {
     amplitude.push_back(reflection.pattern.reflected->amplitude.value);
   }
   if (square.size() < 3) throw std::invalid_argument("a law of the angle needs three reflected waves or more");
-  double product = 0;
-  double squares = 0;
-  for (std::size_t k = 0; k < square.size(); ++k) {
-    product += amplitude[k] * square[k];
-    squares += square[k] * square[k];
-  }
-  AngleLaw law{.factor = product / squares};
+  const double squares = std::inner_product(square.begin(), square.end(), square.begin(), 0.0);
+  AngleLaw law{.factor = std::inner_product(amplitude.begin(), amplitude.end(), square.begin(), 0.0) / squares};
   double left = 0;
   Worst largest_residual;
   for (std::size_t k = 0; k < square.size(); ++k) {
