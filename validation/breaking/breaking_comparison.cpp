@@ -17,7 +17,7 @@ constexpr double below_waves = -1;
 
 ComparedSurface compare(const PressureBreakingReference& reference, const gauss_particles::Flow& flow, double cell,
                         double spacing) {
-  ComparedSurface result{.time = flow.time(), .limit = reference.largest_distance(flow.time(), cell)};
+  ComparedSurface result{.time = flow.time(), .limit = largest_distance(reference.wave, flow.time(), cell)};
   const Polylines truth{reference.surface(flow.time())};
   if (reference.has_jet(flow.time())) result.outline = water_outline(flow, spacing, below_waves);
   result.distance =
@@ -25,10 +25,11 @@ ComparedSurface compare(const PressureBreakingReference& reference, const gauss_
   return result;
 }
 
-void claim_potential_flow(const Claims<BreakingComparison>& claims, const std::vector<double>& times,
-                          std::size_t steepest, BreakingLattice finest, double speed) {
+void claim_potential_flow(const Claims<BreakingComparison>& all, const std::vector<double>& times, std::size_t steepest,
+                          BreakingLattice finest, double speed) {
+  const auto claims = all.from(cauchy);
   for (std::size_t frame = 0; frame < times.size(); ++frame) {
-    claims.from(cauchy).check(
+    claims.check(
         fmt::format("potential-flow-{:.0f}", 10 * times[frame]),
         fmt::format("The surface at t = {:g} agrees with potential flow within half a cell and the parts of a jet "
                     "thinner than a cell.",
@@ -38,32 +39,22 @@ void claim_potential_flow(const Claims<BreakingComparison>& claims, const std::v
           const ComparedSurface& surface = c.finest().frames.at(frame);
           return {.value = surface.distance.largest, .told = {.limit = surface.limit}};
         },
-        Bound{
-            .limit = Amount::told_by_run(2 * finest.cell),
-            .reason = "sagitta K h^2/8 of the exact surface's largest curvature K within a cell, half a cell at most; "
-                      "for a jet, half a cell plus the length over which the exact jet is thinner than a cell"});
+        near_surface(finest.cell));
   }
-  claims.from(cauchy).check(
-      "vertical-tangent",
-      "The time of the first vertical front agrees with potential flow within one step and the time that the wave "
-      "takes for half a cell.",
-      "time at which the line of markers first overhangs, minus the exact time [(g k)^(-1/2)]",
-      [](const BreakingComparison& c) { return c.finest().overturned - c.vertical_tangent; },
-      Bound{.limit = finest.cell / (2 * speed) + finest.tau,
-            .reason = "the front position is known to half a cell, which the wave travels in that time, and is checked "
-                      "after every step"});
-  claims.from(cauchy).check(
+  claim_vertical_front(
+      claims, [](const BreakingComparison& c) { return c.finest().overturned - c.vertical_tangent; },
+      finest.cell / (2 * speed) + finest.tau);
+  claims.check(
       "convergence",
       fmt::format("The surface at t = {:g} on cells half as wide is nearer to potential flow.", times.at(steepest)),
       "rms distance, finest grid over coarsest",
       [steepest](const BreakingComparison& c) {
         return c.finest().frames.at(steepest).distance.rms / c.lattices.front().frames.at(steepest).distance.rms;
       },
-      Bound{.limit = std::pow(0.5, 1.5),
-            .reason = "second order in the cell width, with half an order allowed for the random shifts"});
+      nearer_on_half_cells());
   const double phase = finest.tau * finest.tau / 24;
   const double interpolation = std::pow(finest.cell, 3) / 24;
-  claims.from(cauchy).check(
+  claims.check(
       "exact-work",
       "The work of the pressure agrees with its work on potential flow within (omega tau)^2/24 for the step and (k "
       "h)^3/24 for the splines.",
@@ -83,8 +74,7 @@ void tabulate(evidence::Exhibit& exhibit, const BreakingComparison& comparison) 
     table.columns.emplace_back("largest, " + cells, "1/k");
   }
   for (std::size_t frame = 0; frame < comparison.finest().frames.size(); ++frame) {
-    auto& row = table.rows.emplace_back();
-    row.emplace_back(comparison.finest().frames[frame].time);
+    std::vector<Cell>& row = table.rows.emplace_back(1, comparison.finest().frames[frame].time);
     for (const ComparedLattice& lattice : comparison.lattices) {
       row.emplace_back(lattice.frames.at(frame).distance.rms);
       row.emplace_back(lattice.frames.at(frame).distance.largest);

@@ -29,31 +29,16 @@ inline const std::string cauchy =
     "Longuet-Higgins & Cokelet, Proc. R. Soc. A 350 (1976) 1: potential flow, computed by Cauchy's integral";
 
 /// In units of 1/k, g and the density; the depth is pi.
-class PressureBreakingReference {
- public:
-  PressureBreakingReference(double height, double pressure)
-      : wave_({.amplitude = height / 2,
-               .wavelength = forced_length,
-               .depth = depth,
-               .gravity = 1,
-               .pressure = pressure}) {}
+struct PressureBreakingReference {
+  exact::PressureForcedWave wave;
 
-  [[nodiscard]] const exact::PressureForcedWave& wave() const { return wave_; }
   /// One wavelength of the surface.
   [[nodiscard]] Polyline surface(double time) const {
-    auto profile = wave_.profile(time, 1601);
+    auto profile = wave.profile(time, 1601);
     return {std::move(profile.x), std::move(profile.y)};
   }
   [[nodiscard]] bool has_jet(double time) const { return time > vertical_tangent(); }
-  [[nodiscard]] double vertical_tangent() const { return wave_.vertical_tangent_time().value_or(nan); }
-  /// See above.
-  [[nodiscard]] double largest_distance(double time, double cell) const {
-    if (has_jet(time)) return cell / 2 + thin_part(surface(time), cell);
-    return std::min(wave_.largest_curvature(time) * cell * cell / 8, cell / 2);
-  }
-
- private:
-  exact::PressureForcedWave wave_;
+  [[nodiscard]] double vertical_tangent() const { return wave.vertical_tangent_time().value_or(nan); }
 };
 
 /// One lattice at one time.
@@ -83,6 +68,31 @@ struct BreakingComparison {
 struct BreakingLattice {
   double cell, tau;
 };
+
+/// Of a surface on cells of this width: see above.
+inline Bound near_surface(double cell) {
+  return {.limit = Amount::told_by_run(2 * cell),
+          .reason =
+              "sagitta K h^2/8 of the exact surface's largest curvature K within a cell, half a cell at most; "
+              "for a jet, half a cell plus the length over which the exact jet is thinner than a cell"};
+}
+/// Of an rms distance over that on cells twice as wide.
+inline Bound nearer_on_half_cells() {
+  return {.limit = std::pow(0.5, 1.5),
+          .reason = "second order in the cell width, with half an order allowed for the random shifts"};
+}
+/// @param late  by how much the results' front is vertical later than the exact one
+template <class Results, class Late>
+void claim_vertical_front(const Claims<Results>& claims, Late late, double limit) {
+  claims.check(
+      "vertical-tangent",
+      "The time of the first vertical front agrees with potential flow within one step and the time that the wave "
+      "takes for half a cell.",
+      "time at which the line of markers first overhangs, minus the exact time [(g k)^(-1/2)]", late,
+      Bound{.limit = limit,
+            .reason = "the front position is known to half a cell, which the wave travels in that time, and is checked "
+                      "after every step"});
+}
 
 ComparedSurface compare(const PressureBreakingReference& reference, const gauss_particles::Flow& flow, double cell,
                         double spacing);

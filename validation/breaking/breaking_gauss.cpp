@@ -40,7 +40,6 @@ the comparison with potential flow is independent of the fit.
 #include "seiche/exact/overturning/overturning_wave.hpp"
 #include "seiche/exact/stokes_wave.hpp"
 #include "seiche/models/gauss_particles/flow.hpp"
-#include "seiche/models/gauss_particles/spline_space.hpp"
 #include "seiche/samples.hpp"
 #include "validation/breaking/breaking_comparison.hpp"
 #include "validation/breaking/free_particle_surface.hpp"
@@ -52,9 +51,6 @@ the comparison with potential flow is independent of the fit.
 namespace seiche::validation::cases::breaking_gauss {
 
 using gauss_particles::Flow;
-using gauss_particles::LatticePlan;
-using gauss_particles::SplineSpace;
-
 using namespace breaking;
 
 const std::string source =
@@ -71,8 +67,8 @@ constexpr std::size_t steepest = 4;
 
 struct Frame {
   double time = 0;
-  std::vector<double> x, y;  ///< markers of three wavelengths
   double crest_x = 0;
+  Polyline markers;   ///< of three wavelengths
   Polyline exact;     ///< of three wavelengths too, where potential flow is compared
   Polylines outline;  ///< of the particles where markers do not tell
 };
@@ -91,10 +87,6 @@ struct Results {
   [[nodiscard]] double crest_change() const { return crest - coarse_crest; }
 };
 
-exact::StokesWave wave_of(const Values& values) {
-  return {values.real("height") / 2, forced_length, depth, 1};
-}
-
 /// What makes a Stokes wave break.
 struct Start {
   double height, pressure;
@@ -104,27 +96,20 @@ struct Start {
 Flow flow_of(const Start& start, long cells, long side) {
   const exact::StokesWave wave{start.height / 2, forced_length, depth, 1};
   const double h = forced_length / static_cast<double>(cells);
-  return Flow(gauss_particles::layer({.begin = -forced_length / 2,
-                                      .end = forced_length / 2,
-                                      .columns = static_cast<std::size_t>(cells * side),
-                                      .rows = static_cast<std::size_t>(std::lround(depth / h) * side),
-                                      .surface = [&](double x) { return wave.elevation(x); },
-                                      .bottom = [](double) { return -depth; },
-                                      .markers = 400}),
-              std::make_unique<SplineSpace>(LatticePlan{.cell_x = h,
-                                                        .left_wall = -forced_length / 2,
-                                                        .period = forced_length,
-                                                        .bottom = true,
-                                                        .ground = {.level = -depth},
-                                                        .shift = true}),
-              [&](Point r) {
-                const auto v = wave.velocity(r.x, std::min(r.y, wave.elevation(r.x) - 1e-13));
-                return Point{start.factor * v.u, start.factor * v.v};
-              },
-              {.gravity = 1, .penalty = 0.01},
-              {.surface_pressure_slope = [strength = start.pressure](double x, double t) {
-                return t < std::numbers::pi ? -strength * std::sin(t) * std::cos(x - t) : 0.0;
-              }});
+  const ParticleWave particles{.depth = depth,
+                               .cells = cells,
+                               .side = side,
+                               .rows = static_cast<std::size_t>(std::lround(depth / h) * side),
+                               .markers = 400,
+                               .surface = [&](double x) { return wave.elevation(x); }};
+  return particles.start(
+      [&](Point r) {
+        const auto v = wave.velocity(r.x, std::min(r.y, wave.elevation(r.x) - 1e-13));
+        return Point{start.factor * v.u, start.factor * v.v};
+      },
+      {.surface_pressure_slope = [strength = start.pressure](double x, double t) {
+        return t < std::numbers::pi ? -strength * std::sin(t) * std::cos(x - t) : 0.0;
+      }});
 }
 
 /// Whether the wave is that of the frames, of which is known when it overturns.
@@ -144,33 +129,23 @@ BreakingLattice lattice(const Values& values, long cells) {
           .tau = values.real("tau") * values.number("cells") / static_cast<double>(cells)};
 }
 
-Point highest(const std::vector<Point>& line) {
-  return std::ranges::max(line, {}, &Point::y);
+Polyline three_wavelengths(const Polyline& one) {
+  Polyline all;
+  for (const int period : {-1, 0, 1}) {
+    for (const double x : one.x) all.x.push_back(x + forced_length * period);
+    all.y.insert(all.y.end(), one.y.begin(), one.y.end());
+  }
+  return all;
 }
 
-Frame frame_of(const Flow& flow) {
+/// @param reference  null where potential flow is not compared
+Frame frame_of(const Flow& flow, const PressureBreakingReference* reference, const Polylines& outline = {}) {
   const std::vector<Point> line = flow.markers();
-  Frame frame{.time = flow.time(), .crest_x = highest(line).x};
-  for (const int period : {-1, 0, 1}) {
-    for (const Point& marker : line) {
-      frame.x.push_back(marker.x + forced_length * period);
-      frame.y.push_back(marker.y);
-    }
-  }
-  return frame;
-}
-
-Frame frame_of(const Flow& flow, const PressureBreakingReference& reference, const ComparedSurface& surface) {
-  Frame frame = frame_of(flow);
-  const Polyline exact = reference.surface(flow.time());
-  for (const int period : {-1, 0, 1}) {
-    for (std::size_t k = 0; k < exact.x.size(); ++k) {
-      frame.exact.x.push_back(exact.x[k] + forced_length * period);
-      frame.exact.y.push_back(exact.y[k]);
-    }
-  }
-  frame.outline = surface.outline;
-  return frame;
+  return {.time = flow.time(),
+          .crest_x = std::ranges::max(line, {}, &Point::y).x,
+          .markers = three_wavelengths(line_through(line)),
+          .exact = reference ? three_wavelengths(reference->surface(flow.time())) : Polyline{},
+          .outline = outline};
 }
 
 /// One lattice up to the last of the frames, or without a reference to the time at which its crest is wanted.
@@ -190,16 +165,12 @@ Results break_on(const Run& run, long cells, const PressureBreakingReference* re
       flow.observe();
       if (std::isnan(r.overturned) && goes_backwards(flow.markers())) r.overturned = flow.time();
       if (!finest || flow.time() < film_begin + film_interval * static_cast<double>(r.film.size())) return;
-      r.film.push_back(reference ? frame_of(flow, *reference, {}) : frame_of(flow));
+      r.film.push_back(frame_of(flow, reference));
     });
-    if (time == at) r.crest = depth + highest(flow.markers()).y;
+    if (time == at) r.crest = depth + std::ranges::max(flow.markers(), {}, &Point::y).y;
     if (std::find(frame_times.begin(), frame_times.end(), time) == frame_times.end()) continue;
-    if (reference) {
-      exactly.frames.push_back(compare(*reference, flow, cell, cell / run.number("per_cell")));
-      r.frames.push_back(frame_of(flow, *reference, exactly.frames.back()));
-    } else {
-      r.frames.push_back(frame_of(flow));
-    }
+    if (reference) exactly.frames.push_back(compare(*reference, flow, cell, cell / run.number("per_cell")));
+    r.frames.push_back(frame_of(flow, reference, reference ? exactly.frames.back().outline : Polylines{}));
     if (finest) run.progress(0.4 + 0.6 * time / frame_times.back());
   }
   r.work = flow.model().work();
@@ -239,7 +210,13 @@ double quickened_overhang(const Run& run) {
 
 Results compute(const Run& run) {
   std::optional<PressureBreakingReference> reference;
-  if (compared(run)) reference.emplace(run.real("height"), run.real("pressure"));
+  if (compared(run)) {
+    reference.emplace(exact::PressureForcedWave({.amplitude = run.real("height") / 2,
+                                                 .wavelength = forced_length,
+                                                 .depth = depth,
+                                                 .gravity = 1,
+                                                 .pressure = run.real("pressure")}));
+  }
   std::vector<Results> ladder;
   for (const long cells : lattices(run)) {
     ladder.push_back(break_on(run, cells, reference ? &*reference : nullptr));
@@ -251,7 +228,7 @@ Results compute(const Run& run) {
   for (const Results& r : ladder) finest.comparison.lattices.push_back(r.comparison.lattices.front());
   if (reference) {
     finest.comparison.vertical_tangent = reference->vertical_tangent();
-    finest.comparison.work = reference->wave().action(frame_times.back()).work;
+    finest.comparison.work = reference->wave.action(frame_times.back()).work;
     finest.overhang = quickened_overhang(run);
   }
   return finest;
@@ -270,7 +247,7 @@ void claims(const Values& values, const Claims<Results>& all) {
              Bound{.limit = 0.5,
                    .reason = "half of the time between the frames in which the source draws a steep front and a jet",
                    .expected = 6.7});
-  const exact::StokesWave wave = wave_of(values);
+  const exact::StokesWave wave(values.real("height") / 2, forced_length, depth, 1);
   claim_potential_flow(
       claims
           .only_if(compared(values),
@@ -323,18 +300,13 @@ void draw_frames(evidence::Figure& figure, const std::vector<Frame>& frames) {
                                 .x_max = 1.6,
                                 .y_min = -0.5,
                                 .y_max = 0.8});
-    panel.line("surface", each(frame.x, [&](double place) { return place - frame.crest_x; }), frame.y, Role::computed);
-    const auto from_crest = [&](Polyline line) {
-      for (double& place : line.x) place -= frame.crest_x;
-      return line;
+    const auto draw = [&](const std::string& label, const Polyline& line, Role role) {
+      panel.line(label, each(line.x, [&](double place) { return place - frame.crest_x; }), line.y, role);
     };
-    if (!frame.exact.x.empty()) {
-      const Polyline exact = from_crest(frame.exact);
-      panel.line("potential flow", exact.x, exact.y, Role::exact);
-    }
+    draw("surface", frame.markers, Role::computed);
+    if (!frame.exact.x.empty()) draw("potential flow", frame.exact, Role::exact);
     for (const Polyline& piece : frame.outline) {
-      const Polyline outline = from_crest(piece);
-      panel.line(&piece == &frame.outline.front() ? "outline of the particles" : "", outline.x, outline.y, Role::peer);
+      draw(&piece == &frame.outline.front() ? "outline of the particles" : "", piece, Role::peer);
     }
   }
 }

@@ -59,14 +59,14 @@ with the spacing.
 
 namespace seiche::validation::cases::flap_plunging_sph {
 
-// A flap makes two waves so high that the second one plunges: weakly compressible SPH.
+const std::string publication = literature::plunging_sph + ", figure 6";
+constexpr double gravity = 9.81;
+constexpr double depth = 0.013;
+constexpr double height = 0.013;
+constexpr double wavelength = 0.1;
+const std::vector<double> frames{1.30, 1.38, 1.46};  ///< t/T, whole hundredths
 
-struct SphPlunging {
-  double depth, period, stroke, wavelength;  ///< [m], [s]; the wavelength scales the places that are looked at
-  double flume;                              ///< its length in wavelengths
-  long layers;                               ///< particle spacings in the depth
-  wcsph::Settings settings;
-};
+// A flap makes two waves so high that the second one plunges: weakly compressible SPH.
 
 struct SphPlunged {
   double spacing = 0;
@@ -87,32 +87,21 @@ struct SphPlunged {
   [[nodiscard]] std::string resolution() const { return sph_resolution(spacing, particles); }
 };
 
-wcsph::Scene scene_of(const SphPlunging& setup) {
-  const double spacing = setup.depth / static_cast<double>(setup.layers);
-  return wcsph::flume({.length = spacing * std::round(setup.flume * setup.wavelength / spacing),
-                       .depth = setup.depth,
-                       .paddle_height = 4 * setup.depth,
-                       .stroke = setup.stroke,
-                       .frequency = 2 * std::numbers::pi / setup.period,
-                       .spacing = spacing,
-                       .paddle_rows = 3},
-                      setup.settings);
-}
-
 /// The second wave is looked for from where a flap that leans forward does not reach, to halfway between it and the
 /// first one, which is a wavelength ahead and leaves the flap at the beginning. In wavelengths.
 constexpr double first_seen = 0.25;
 constexpr double behind_first = 0.55;
 
 /// What is seen of the second wave at one instant, and its surface.
-Polyline watch(SphPlunged& result, const wcsph::Flow& flow, const SphPlunging& setup, const wcsph::Scene& scene) {
+/// @param phase  t/T
+Polyline watch(SphPlunged& result, const wcsph::Flow& flow, wcsph::KernelName kernel, const wcsph::Scene& scene,
+               double phase) {
   wcsph::Box basin = wcsph::unbounded;
   basin.bottom = scene.bottom;
   basin.right = scene.far_wall;
-  const wcsph::VolumeFraction fraction(flow.particles(), flow.smoothing_length(), basin, setup.settings.kernel);
-  const double phase = flow.time() / setup.period;
-  const wcsph::Box window{first_seen * setup.wavelength, (phase - behind_first) * setup.wavelength,
-                          flow.smoothing_length(), 4 * setup.depth};
+  const wcsph::VolumeFraction fraction(flow.particles(), flow.smoothing_length(), basin, kernel);
+  const wcsph::Box window{first_seen * wavelength, (phase - behind_first) * wavelength, flow.smoothing_length(),
+                          4 * depth};
   const auto curves = wcsph::free_surface(fraction, window, 0.5 * flow.spacing());
   const double least = 2 * flow.spacing();
   const double hole = 4 * flow.spacing() * flow.spacing();
@@ -139,12 +128,21 @@ void exchange(Tape& tape, SphPlunged& r) {
        r.cavity, r.jet_time, r.jet_x, r.jet_z, r.extremes);
 }
 
-/// The second wave is looked for after one period, a hundred times per period, behind the first one.
-/// @param frames  t/T, ascending, whole hundredths above 1; the run ends at the last one
-/// @param part    of the case's run that this is
-SphPlunged plunge(const SphPlunging& setup, const std::vector<double>& frames, Part part) {
-  wcsph::Scene scene = scene_of(setup);
-  wcsph::Flow flow(std::move(scene.particles), scene.spacing, setup.settings, scene.paddles);
+/// The second wave is looked for after one period, a hundred times per period, behind the first one. The run ends at
+/// the last frame.
+/// @param layers  particle spacings in the depth;  @param part  of the case's run that this is
+SphPlunged plunge(const Run& run, long layers, const wcsph::Settings& settings, Part part) {
+  const double period = run.real("period");
+  const double spacing = depth / static_cast<double>(layers);
+  wcsph::Scene scene = wcsph::flume({.length = spacing * std::round(run.real("flume") * wavelength / spacing),
+                                     .depth = depth,
+                                     .paddle_height = 4 * depth,
+                                     .stroke = run.real("stroke"),
+                                     .frequency = 2 * std::numbers::pi / period,
+                                     .spacing = spacing,
+                                     .paddle_rows = 3},
+                                    settings);
+  wcsph::Flow flow(std::move(scene.particles), scene.spacing, settings, scene.paddles);
   SphPlunged result{.spacing = scene.spacing, .particles = flow.particles().size()};
   constexpr double per_period = 100;
   std::size_t next = 0;
@@ -153,16 +151,16 @@ SphPlunged plunge(const SphPlunging& setup, const std::vector<double>& frames, P
   for (part.resume(state); next < frames.size(); ++n) {
     part.keep(state);
     const double phase = static_cast<double>(n) / per_period;
-    march(flow, setup.period * phase);
-    Polyline surface = watch(result, flow, setup, scene);
+    march(flow, period * phase);
+    Polyline surface = watch(result, flow, settings.kernel, scene, flow.time() / period);
     if (phase < frames[next] - 1e-9) continue;
     ++next;
     const wcsph::Particles& p = flow.particles();
     result.frames.push_back(p);
-    for (double& z : surface.y) z -= scene.bottom + setup.depth;
+    for (double& z : surface.y) z -= scene.bottom + depth;
     result.surfaces.push_back(std::move(surface));
-    result.crest.push_back(wcsph::column_height(p, flow.smoothing_length(), first_seen * setup.wavelength,
-                                                (frames[next - 1] - behind_first) * setup.wavelength) -
+    result.crest.push_back(wcsph::column_height(p, flow.smoothing_length(), first_seen * wavelength,
+                                                (frames[next - 1] - behind_first) * wavelength) -
                            scene.bottom);
     result.speed.push_back(fastest(p));
   }
@@ -172,13 +170,6 @@ SphPlunged plunge(const SphPlunging& setup, const std::vector<double>& frames, P
   result.extremes = flow.extremes();
   return result;
 }
-
-const std::string publication = literature::plunging_sph + ", figure 6";
-constexpr double gravity = 9.81;
-constexpr double depth = 0.013;
-constexpr double height = 0.013;
-constexpr double wavelength = 0.1;
-const std::vector<double> frames{1.30, 1.38, 1.46};
 
 struct Model {
   std::string id, name;
@@ -254,15 +245,9 @@ Results compute(const Run& run) {
   climb(run, models.size() * ladder.size(), [&](std::size_t k) {
     const std::size_t size = k / models.size();
     const std::size_t model = k % models.size();
-    const SphPlunging setup{.depth = depth,
-                            .period = run.real("period"),
-                            .stroke = run.real("stroke"),
-                            .wavelength = wavelength,
-                            .flume = run.real("flume"),
-                            .layers = ladder[size],
-                            .settings = models[model].settings};
     const Part part = run.part(fmt::format("{}, {} layers", models[model].id, ladder[size]));
-    r.runs[model][size] = part.result<SphPlunged>([&] { return plunge(setup, frames, part); });
+    r.runs[model][size] =
+        part.result<SphPlunged>([&] { return plunge(run, ladder[size], models[model].settings, part); });
   });
   for (Runs& runs : r.runs) {
     for (SphPlunged& one : runs) one.distance = distance_from(r.cosine, one, run.real("period"));
@@ -357,16 +342,12 @@ void draw(evidence::Exhibit& exhibit, const std::vector<Model>& models, const Re
   auto& start = exhibit.figure("start", "Initial profile of the steep wave",
                                "The cosine from which the exact potential flow starts.", {"sph-fig-4"});
   auto& sketch = start.panel({.x = "x/L", .y = "z/L", .equal_aspect = true});
-  const auto scaled = [](const exact::OverturningWave::Profile& profile) {
-    std::pair<std::vector<double>, std::vector<double>> curve;
-    for (std::size_t i = 0; i < profile.x.size(); ++i) {
-      curve.first.push_back(profile.x[i] / wavelength);
-      curve.second.push_back((profile.y[i] + depth) / wavelength);
-    }
-    return curve;
+  const auto draw_exact = [&](evidence::Panel& panel, double time, std::size_t points) {
+    const auto profile = r.cosine.profile(time, points);
+    panel.line("surface", each(profile.x, [](double x) { return x / wavelength; }),
+               each(profile.y, [](double y) { return (y + depth) / wavelength; }), Role::exact);
   };
-  const auto first = scaled(r.cosine.profile(0, 201));
-  sketch.line("surface", first.first, first.second, Role::exact);
+  draw_exact(sketch, 0, 201);
   sketch.line("bottom", std::array{0.0, 1.0}, std::array{0.0, 0.0}, Role::guide);
 
   auto& figure =
@@ -385,15 +366,13 @@ void draw(evidence::Exhibit& exhibit, const std::vector<Model>& models, const Re
     }
   }
   for (const double phase : frames) {
-    const auto curve = scaled(r.cosine.profile((phase - 1) * period, 801));
-    figure
-        .panel({.x = "x [L]",
-                .y = "z [L]",
-                .title = fmt::format("potential flow, {:.2f} T", phase - 1),
-                .equal_aspect = true,
-                .y_min = 0,
-                .y_max = 0.4})
-        .line("surface", curve.first, curve.second, Role::exact);
+    draw_exact(figure.panel({.x = "x [L]",
+                             .y = "z [L]",
+                             .title = fmt::format("potential flow, {:.2f} T", phase - 1),
+                             .equal_aspect = true,
+                             .y_min = 0,
+                             .y_max = 0.4}),
+               (phase - 1) * period, 801);
   }
   auto& panel = add_panel(exhibit, "jet", "Path of the jet tip", "Until impact on the water ahead.",
                           {.x = "x/L", .y = "z/L", .equal_aspect = true});

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <utility>
 
+#include "seiche/models/gauss_particles/spline_space.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/instruments/particles/gauss_outline.hpp"
 
 namespace seiche::validation {
@@ -43,33 +46,48 @@ Polylines water_outline(const gauss_particles::Flow& flow, double spacing, doubl
   Polylines pieces;
   for (const auto& line : gauss_particles::surface_contours(x, y, mass, 1, spacing)) {
     if (is_hole(line)) continue;
-    Polyline piece;
+    std::vector<Point> piece;
     for (std::size_t k = 0; k <= line.size(); ++k) {
       const Point& point = line[k % line.size()];
       const bool on_surface = point.y > below && std::abs(point.x) <= wavelength / 2;
-      if (on_surface) {
-        piece.x.push_back(point.x);
-        piece.y.push_back(point.y);
-      }
-      if ((!on_surface || k == line.size()) && !piece.x.empty()) {
-        Polyline complete = std::exchange(piece, {});
-        if (complete.x.size() > 1) pieces.push_back(std::move(complete));
-      }
+      if (on_surface) piece.push_back(point);
+      if (on_surface && k < line.size()) continue;
+      if (piece.size() > 1) pieces.push_back(line_through(piece));
+      piece.clear();
     }
   }
   return pieces;
 }
 
+gauss_particles::Flow ParticleWave::start(const mechanics::VelocityAt& velocity,
+                                          gauss_particles::Forcing forcing) const {
+  using gauss_particles::LatticePlan;
+  return {gauss_particles::layer({.begin = -wavelength / 2,
+                                  .end = wavelength / 2,
+                                  .columns = static_cast<std::size_t>(cells * side),
+                                  .rows = rows,
+                                  .surface = surface,
+                                  .bottom = [this](double) { return -depth; },
+                                  .markers = markers}),
+          std::make_unique<gauss_particles::SplineSpace>(LatticePlan{.cell_x = wavelength / static_cast<double>(cells),
+                                                                     .left_wall = -wavelength / 2,
+                                                                     .period = wavelength,
+                                                                     .bottom = true,
+                                                                     .ground = {.level = -depth},
+                                                                     .shift = true}),
+          velocity,
+          {},
+          std::move(forcing)};
+}
+
+Polyline line_through(const std::vector<Point>& points) {
+  return {each(points, &Point::x), each(points, &Point::y)};
+}
+
 Polyline marker_line(const gauss_particles::Flow& flow) {
-  Polyline line;
-  const std::vector<Point> markers = flow.markers();
-  for (const Point& marker : markers) {
-    line.x.push_back(marker.x);
-    line.y.push_back(marker.y);
-  }
-  line.x.push_back(markers.front().x + wavelength);
-  line.y.push_back(markers.front().y);
-  return line;
+  std::vector<Point> markers = flow.markers();
+  markers.push_back({markers.front().x + wavelength, markers.front().y});
+  return line_through(markers);
 }
 
 bool goes_backwards(const std::vector<Point>& line) {
@@ -104,6 +122,14 @@ double thin_part(const Polyline& surface, double diameter) {
     out.add(nearest.value() - radius);
   }
   return out.value();
+}
+
+double largest_distance(const exact::overturning::MovingSurface& exact, double time, double cell) {
+  if (time <= exact.vertical_tangent_time().value_or(exact.end_time())) {
+    return std::min(exact.largest_curvature(time) * cell * cell / 8, cell / 2);
+  }
+  auto profile = exact.profile(time, 1601);
+  return cell / 2 + thin_part({std::move(profile.x), std::move(profile.y)}, cell);
 }
 
 }  // namespace seiche::validation

@@ -31,7 +31,7 @@ a fraction of a cell.
 #include "seiche/exact/dispersion.hpp"
 #include "seiche/exact/overturning/overturning_wave.hpp"
 #include "seiche/models/gauss_particles/flow.hpp"
-#include "seiche/models/gauss_particles/spline_space.hpp"
+#include "validation/breaking/breaking_comparison.hpp"
 #include "validation/breaking/free_particle_surface.hpp"
 #include "validation/breaking/sph_overturning.hpp"
 #include "validation/case/case.hpp"
@@ -42,14 +42,9 @@ namespace seiche::validation::cases::overturning_gauss {
 
 using exact::OverturningWave;
 using gauss_particles::Flow;
-using gauss_particles::LatticePlan;
-using gauss_particles::SplineSpace;
-
 const std::string source = "Longuet-Higgins and Cokelet (1976); Frank (1994), chapter 6";
 
 constexpr double wavelength = 2 * std::numbers::pi;
-constexpr double half_length = std::numbers::pi;
-constexpr double density = 1;
 constexpr long side = 6;  ///< particles to a cell's
 /// Of its period, as far as potential flow is computed.
 constexpr double last_phase = 0.6;
@@ -61,15 +56,6 @@ SteepWave wave_of(const Values& values) {
           .wavelength = wavelength,
           .depth = values.real("depth") * wavelength,
           .gravity = 1};
-}
-
-/// How far the surface may be from the exact one: what a curve bends within a cell, half a cell at most; of a jet, half
-/// a cell and what is thinner than a cell.
-double largest_distance(const OverturningWave& exact, double time, double cell) {
-  if (time > exact.vertical_tangent_time().value_or(exact.end_time())) {
-    return cell / 2 + thin_part(exact_surface(exact, time).front(), cell);
-  }
-  return std::min(exact.largest_curvature(time) * cell * cell / 8, cell / 2);
 }
 
 /// One model on one lattice.
@@ -103,26 +89,17 @@ double step_of(const SteepWave& wave, long cells) {
 
 Flow flow_of(const SteepWave& wave, long cells) {
   const SteepWaveStart start(wave.amplitude, wave.wavelength, wave.depth, wave.gravity);
-  const double h = cell_of(cells);
-  return Flow(
-      gauss_particles::layer({.begin = -half_length,
-                              .end = half_length,
-                              .columns = static_cast<std::size_t>(cells * side),
-                              .rows = static_cast<std::size_t>(std::lround(wave.depth / h * static_cast<double>(side))),
-                              .surface = [&](double x) { return start.elevation(x); },
-                              .bottom = [&](double) { return -wave.depth; },
-                              .markers = static_cast<std::size_t>(10 * cells)}),
-      std::make_unique<SplineSpace>(LatticePlan{.cell_x = h,
-                                                .left_wall = -half_length,
-                                                .period = wavelength,
-                                                .bottom = true,
-                                                .ground = {.level = -wave.depth},
-                                                .shift = true}),
-      [&](Point r) {
-        const auto [u, v] = start.velocity(r.x, r.y);
-        return Point{u, v};
-      },
-      {.gravity = wave.gravity, .density = density, .penalty = 0.01});
+  const double rows = wave.depth / cell_of(cells) * static_cast<double>(side);
+  const ParticleWave particles{.depth = wave.depth,
+                               .cells = cells,
+                               .side = side,
+                               .rows = static_cast<std::size_t>(std::lround(rows)),
+                               .markers = static_cast<std::size_t>(10 * cells),
+                               .surface = [&](double x) { return start.elevation(x); }};
+  return particles.start([&](Point r) {
+    const auto [u, v] = start.velocity(r.x, r.y);
+    return Point{u, v};
+  });
 }
 
 /// Also when the front is first vertical, and the energy's defect.
@@ -153,7 +130,7 @@ Computed turned_sph(const Run& run, const SteepWave& wave, const std::vector<dou
                              .settings = {.kernel = wcsph::KernelName::wendland_c2,
                                           .smoothing = 2,
                                           .gravity = wave.gravity,
-                                          .density = density,
+                                          .density = 1,
                                           .sound_speed = 10 * std::sqrt(wave.gravity * wave.depth),
                                           .viscosity = wcsph::ArtificialViscosity{0.01}}};
   const SphOverturned turned = overturn(setup, times, 0.01 * wavelength, 1, run.part("SPH"));
@@ -203,26 +180,15 @@ void claims(const Values& values, const Claims<Results>& all) {
                   .where = fmt::format("t = {:.3f}", r.times.at(i)),
                   .told = {.limit = r.limits.at(i)}};
         },
-        Bound{.limit = Amount::told_by_run(2 * cell),
-              .reason =
-                  "sagitta K h^2/8 of the exact surface's largest curvature K within a cell, half a cell at most; "
-                  "for a jet, half a cell plus the length over which the exact jet is thinner than a cell"});
+        breaking::near_surface(cell));
   }
-  claims.check(
-      "vertical-tangent",
-      "The time of the first vertical front agrees with potential flow within one step and the time that the wave "
-      "takes for half a cell.",
-      "time at which the line of markers first overhangs, minus the exact time [(g k)^(-1/2)]",
-      [](const Results& r) { return r.turned - r.vertical; },
-      Bound{.limit = cell * wave.period() / (2 * wavelength) + tau,
-            .reason = "the front position is known to half a cell, which the wave travels in that time, and is checked "
-                      "after every step"});
+  breaking::claim_vertical_front(
+      claims, [](const Results& r) { return r.turned - r.vertical; }, cell * wave.period() / (2 * wavelength) + tau);
   claims.check(
       "convergence", "The surface halfway to a vertical front on cells half as wide is nearer to potential flow.",
       "rms distance, finer grid over coarser",
       [](const Results& r) { return r.finest().distances[0].rms / r.particles[0].distances[0].rms; },
-      Bound{.limit = std::pow(0.5, 1.5),
-            .reason = "second order in the cell width, with half an order allowed for the random shifts"});
+      breaking::nearer_on_half_cells());
   claims.from("Frank (1994), chapter 6; exact for every space and step")
       .check("energy", "The energy change equals the dissipation of the penalty, to round-off.",
              "largest energy error over the kinetic energy", &Results::energy,

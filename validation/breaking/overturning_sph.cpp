@@ -97,24 +97,12 @@ struct Results {
   double exact_overhang;      ///< when its front hangs over by as much [s]
   std::vector<double> times;  ///< of the instants
   std::vector<SphOverturned> runs, others;
-  std::vector<std::vector<PolylineDistance>> distances;  ///< [instant][run]
-  std::vector<std::vector<double>> others_rms;           ///< [variant][instant]
+  std::vector<std::vector<PolylineDistance>> distances = {};  ///< [instant][run]
+  std::vector<std::vector<double>> others_rms = {};           ///< [variant][instant]
 
   [[nodiscard]] const SphOverturned& finest() const { return runs.back(); }
-  [[nodiscard]] std::vector<double> sizes() const { return each(runs, &SphOverturned::spacing); }
+  [[nodiscard]] double exact_kinetic() const { return exact.integrals(times.back()).kinetic_energy; }
 };
-
-void measure_distances(Results& r) {
-  r.others_rms.resize(r.others.size());
-  for (std::size_t i = 0; i < r.times.size(); ++i) {
-    const Polylines truth = exact_surface(r.exact, r.times[i]);
-    auto& row = r.distances.emplace_back();
-    for (const SphOverturned& one : r.runs) row.push_back(polyline_distance(one.surfaces[i], truth, wavelength));
-    for (std::size_t k = 0; k < r.others.size(); ++k) {
-      r.others_rms[k].push_back(polyline_distance(r.others[k].surfaces[i], truth, wavelength).rms);
-    }
-  }
-}
 
 /// Of its period, as far as potential flow is computed.
 constexpr double last_phase = 0.6;
@@ -127,7 +115,8 @@ Results compute(const Run& run) {
             .exact_overhang = exact_overhang_time(exact, overhang, times.back()),
             .times = times,
             .runs = std::vector<SphOverturned>(lattices),
-            .others = std::vector<SphOverturned>(variants.size())};
+            .others = std::vector<SphOverturned>(variants.size()),
+            .others_rms = std::vector<std::vector<double>>(variants.size())};
   // Beyond the last comparison until the jet has landed.
   std::vector<double> until_landed = times;
   until_landed.push_back(std::max(times.back(), 1.06 * exact.touch_down_time().value_or(exact.end_time())));
@@ -152,12 +141,18 @@ Results compute(const Run& run) {
                            variants[k].name, false);
     }
   });
-  measure_distances(r);
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const Polylines truth = exact_surface(exact, times[i]);
+    auto& row = r.distances.emplace_back();
+    for (const SphOverturned& one : r.runs) row.push_back(polyline_distance(one.surfaces[i], truth, wavelength));
+    for (std::size_t k = 0; k < variants.size(); ++k) {
+      r.others_rms[k].push_back(polyline_distance(r.others[k].surfaces[i], truth, wavelength).rms);
+    }
+  }
   return r;
 }
 
-void claim_distances(const Claims<Results>& claims, const Values& values) {
-  const double spacing = wavelength / values.number("columns");
+void claim_distances(const Claims<Results>& claims, double spacing) {
   for (std::size_t i = 0; i < instants.size(); ++i) {
     claims.check(
         "distance-" + instants[i].id,
@@ -171,8 +166,8 @@ void claim_distances(const Claims<Results>& claims, const Values& values) {
   }
 }
 
-/// Figure 6 of the publication of the scheme: the nearer one is that with the stress.
-void claim_stress(const Claims<Results>& claims) {
+void claim_variants(const Claims<Results>& claims, const Values& values) {
+  // Figure 6 of the publication of the scheme: the nearer one is that with the stress.
   claims.at([](const Results& r) { return r.others[stress].resolution(); })
       .from("Plunging breaking waves by weakly compressible smoothed particles, figure 6")
       .check(
@@ -182,10 +177,8 @@ void claim_stress(const Claims<Results>& claims) {
           "rms distance over that with artificial viscosity",
           [](const Results& r) { return r.others_rms[stress].back() / r.others_rms[as_set].back(); },
           Bound{.limit = 1, .reason = "the publication says so; equal distances would give 1"});
-}
-
-void claim_equal_cost(const Claims<Results>& claims) {
-  claims.at([](const Results& r) { return r.others[diffusion_and_shifting].resolution(); })
+  claims.only_if(values.tier() != Tier::quick, "50 columns do not resolve a jet")
+      .at([](const Results& r) { return r.others[diffusion_and_shifting].resolution(); })
       .from("Sun, Colagrossi, Marrone and Zhang, Comput. Methods Appl. Mech. Eng. 315 (2017) 25")
       .check(
           "energy-at-equal-cost",
@@ -206,9 +199,8 @@ void claim_equal_cost(const Claims<Results>& claims) {
 void claims(const Values& values, const Claims<Results>& all) {
   const Claims<Results> claims = all.at([](const Results& r) { return r.finest().resolution(); });
   const double period = wave_of(values).period();
-  claim_distances(claims, values);
-  claim_stress(claims);
-  claim_equal_cost(claims.only_if(values.tier() != Tier::quick, "50 columns do not resolve a jet"));
+  claim_distances(claims, wavelength / values.number("columns"));
+  claim_variants(claims, values);
   claims.check(
       "overturns", "The free surface of the wave overturns in SPH.", "it does",
       [](const Results& r) { return !std::isnan(r.finest().hangs_over); },
@@ -227,28 +219,10 @@ void claims(const Values& values, const Claims<Results>& all) {
   claims.check(
       "kinetic-energy", "The kinetic energy of the water with a developed jet agrees with potential flow within 5 %.",
       "over potential flow's",
-      [](const Results& r) {
-        return r.finest().kinetic.at(instants.size() - 1) / r.exact.integrals(r.times.back()).kinetic_energy;
-      },
+      [](const Results& r) { return r.finest().kinetic.at(instants.size() - 1) / r.exact_kinetic(); },
       Bound{.limit = 0.05,
             .reason = "5 %: the surface error is about half a spacing, the depth at the trough ten spacings",
             .expected = 1});
-}
-
-void show_numbers(const Results& r, evidence::Exhibit& exhibit) {
-  const SphOverturned& finest = r.finest();
-  for (std::size_t i = 0; i < instants.size(); ++i) {
-    const std::string& id = instants[i].id;
-    exhibit.measure("largest_distance_" + id, r.distances[i].back().largest);
-    exhibit.measure("energy_" + id, finest.energy[i]);
-    exhibit.measure("level_" + id, finest.level[i]);
-    exhibit.measure("speed_" + id, finest.speed[i]);
-  }
-  exhibit.measure("exact_vertical_time", r.exact.vertical_tangent_time().value_or(nan));
-  exhibit.measure("exact_touch_down_time", r.exact.touch_down_time().value_or(nan));
-  exhibit.measure("touch_down_time", finest.touches);
-  exhibit.measure("largest_mach_number", finest.extremes.mach);
-  exhibit.measure("steps", static_cast<double>(finest.steps));
 }
 
 void tabulate_variants(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
@@ -266,19 +240,13 @@ void tabulate_variants(const Results& r, const Values& values, evidence::Exhibit
   for (const char* name : {"kinetic", "energy", "hangs over", "touches down"}) table.columns.emplace_back(name, "");
   table.columns.emplace_back("cavity", "(L/100)^2");
   const auto add = [&](const std::string& name, const SphOverturned& one, const std::vector<double>& rms) {
-    auto& row = table.rows.emplace_back();
-    row.emplace_back(name);
-    row.emplace_back(std::round(wavelength / one.spacing));
+    std::vector<Cell> row{name, std::round(wavelength / one.spacing)};
     for (const double distance : rms) row.emplace_back(1000 * distance / wavelength);
-    row.emplace_back(one.kinetic[jet] / r.exact.integrals(r.times[jet]).kinetic_energy);
-    row.emplace_back(one.energy[jet]);
-    row.emplace_back(one.hangs_over / period);
-    if (std::isnan(one.breaks_up)) {
-      row.emplace_back(one.touches / period);
-    } else {
-      row.emplace_back(fmt::format("breaks up at {:.3f}", one.breaks_up / period));
-    }
-    row.emplace_back(1e4 * one.cavity / (wavelength * wavelength));
+    row.insert(row.end(), {one.kinetic[jet] / r.exact_kinetic(), one.energy[jet], one.hangs_over / period,
+                           std::isnan(one.breaks_up) ? Cell(one.touches / period)
+                                                     : fmt::format("breaks up at {:.3f}", one.breaks_up / period),
+                           1e4 * one.cavity / (wavelength * wavelength)});
+    table.rows.push_back(row);
   };
   for (std::size_t k = 0; k < variants.size(); ++k) add(variants[k].name, r.others[k], r.others_rms[k]);
   add(variants.front().name, r.runs[halved + 1],
@@ -316,25 +284,37 @@ void draw(const Results& r, evidence::Exhibit& exhibit) {
   }
   auto& convergence = exhibit.figure("convergence", "Distance of the surfaces",
                                      "Root mean square (left) and largest (right), over the wavelength.");
+  const std::vector<double> sizes = each(r.runs, &SphOverturned::spacing);
   for (const auto& [member, name] : {std::pair{&PolylineDistance::rms, "rms distance/L"},
                                      std::pair{&PolylineDistance::largest, "largest distance/L"}}) {
     auto& panel = convergence.panel({.x = "dx/L", .y = name, .log_x = true, .log_y = true});
     for (std::size_t i = 0; i < r.times.size(); ++i) {
-      panel.points(instants[i].id, r.sizes(), each(r.distances[i], member),
+      panel.points(instants[i].id, sizes, each(r.distances[i], member),
                    i + 1 == r.times.size() ? Role::computed : Role::peer);
     }
-    slope_guide(panel, 1, r.sizes(), 0.6 * each(r.distances[0], member).back());
+    slope_guide(panel, 1, sizes, 0.6 * each(r.distances[0], member).back());
   }
 }
 
 void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   const SteepWave wave = wave_of(values);
+  const SphOverturned& finest = r.finest();
   exhibit.measure("pressure_defect_of_start",
                   SteepWaveStart(wave.amplitude, wave.wavelength, wave.depth, gravity).surface_defect());
-  show_numbers(r, exhibit);
+  for (std::size_t i = 0; i < instants.size(); ++i) {
+    const std::string& id = instants[i].id;
+    exhibit.measure("largest_distance_" + id, r.distances[i].back().largest);
+    exhibit.measure("energy_" + id, finest.energy[i]);
+    exhibit.measure("level_" + id, finest.level[i]);
+    exhibit.measure("speed_" + id, finest.speed[i]);
+  }
+  exhibit.measure("exact_vertical_time", r.exact.vertical_tangent_time().value_or(nan));
+  exhibit.measure("exact_touch_down_time", r.exact.touch_down_time().value_or(nan));
+  exhibit.measure("touch_down_time", finest.touches);
+  exhibit.measure("largest_mach_number", finest.extremes.mach);
+  exhibit.measure("steps", static_cast<double>(finest.steps));
   tabulate_variants(r, values, exhibit);
   draw(r, exhibit);
-  const SphOverturned& finest = r.finest();
   for (std::size_t i = 0; i < finest.times.size(); ++i) {
     add_particles(exhibit, finest.times[i], finest.snapshots[i], settings_of(values));
   }

@@ -110,23 +110,21 @@ bool full_as_it_stands(const Values& values) {
 }
 
 /// The band ends where a spacing does.
-evidence::KnownFailure late_jet() {
-  return {.value = 0.00357,
-          .width = 0.00003,
-          .reason =
-              "1 % more than a spacing: this jet is compared at its greatest length, and the deepest water has the "
-              "largest compression, g d^2/(2 c_0^2) = 1.0 mm at any spacing"};
-}
+const evidence::KnownFailure late_jet{
+    .value = 0.00357,
+    .width = 0.00003,
+    .reason =
+        "1 % more than a spacing: this jet is compared at its greatest length, and the deepest water has the "
+        "largest compression, g d^2/(2 c_0^2) = 1.0 mm at any spacing"};
 
 void claim_turn(const Claims<Turn>& claims, const Shape& shape, const Values& values) {
   const auto surface = [&](const std::string& id, const std::string& when, std::size_t instant) {
-    const evidence::Claim claim{
-        id + shape.id,
-        fmt::format("The surface {} agrees with potential flow within one spacing, rms ({}).", when, shape.name),
-        "rms distance of the surfaces", "m", source};
-    claims.fails(late_jet(), claim.id == "jet-deep" && full_as_it_stands(values))
+    claims.from(source)
+        .fails(late_jet, id + shape.id == "jet-deep" && full_as_it_stands(values))
         .check(
-            claim,
+            id + shape.id,
+            fmt::format("The surface {} agrees with potential flow within one spacing, rms ({}).", when, shape.name),
+            "rms distance of the surfaces [m]",
             [instant](const Turn& turn) -> Measurement {
               return {.value = turn.distances.at(instant).rms,
                       .where = fmt::format("t = {:.3f} s", turn.times.at(instant))};
@@ -139,11 +137,8 @@ void claim_turn(const Claims<Turn>& claims, const Shape& shape, const Values& va
 }
 
 void claim_cavities(const Claims<Results>& claims, const Values& values) {
-  const auto landed = claims.only_if(values.tier() != Tier::quick, "its particles close a cavity of three spacings");
-  const auto claim = [](const std::string& id, const std::string& text, const std::string& other) {
-    return evidence::Claim{id, text, fmt::format("area of the cavity at closure, with the stress over that {}", other),
-                           "1", "Plunging breaking waves by weakly compressible smoothed particles, figure 6"};
-  };
+  const auto landed = claims.only_if(values.tier() != Tier::quick, "its particles close a cavity of three spacings")
+                          .from("Plunging breaking waves by weakly compressible smoothed particles, figure 6");
   const auto over = [](const SphOverturned& other, const SphOverturned& stress) -> Measurement {
     return {.value = stress.cavity / other.cavity,
             .resolution = other.resolution(),
@@ -153,15 +148,10 @@ void claim_cavities(const Claims<Results>& claims, const Values& values) {
                   .reason = "rims uncertain by half a spacing in both, as for a round hole of the same area",
                   .expected = 1};
   landed.check(
-      claim(
-          "cavity",
-          "The cavity of the jet with the SPS stress equals the laminar cavity within half a spacing along either rim.",
-          "of laminar water"),
+      "cavity",
+      "The cavity of the jet with the SPS stress equals the laminar cavity within half a spacing along either rim.",
+      "area of the cavity at closure, with the stress over that of laminar water",
       [over](const Results& r) { return over(r.laminar, r.stress); }, rim);
-  const evidence::Claim standard = claim("cavity-standard",
-                                         "The cavity of the jet with the SPS stress equals the cavity with artificial "
-                                         "viscosity within half a spacing along either rim.",
-                                         "with artificial viscosity");
   landed
       .fails({.value = 1.45,
               .width = 0.18,
@@ -169,7 +159,11 @@ void claim_cavities(const Claims<Results>& claims, const Values& values) {
                         "water, with neither, is larger too"},
              full_as_it_stands(values))
       .check(
-          standard, [over](const Results& r) { return over(r.turns.front().run, r.stress); }, rim);
+          "cavity-standard",
+          "The cavity of the jet with the SPS stress equals the cavity with artificial viscosity within half a spacing "
+          "along either rim.",
+          "area of the cavity at closure, with the stress over that with artificial viscosity",
+          [over](const Results& r) { return over(r.turns.front().run, r.stress); }, rim);
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {

@@ -64,16 +64,14 @@ struct Results {
 void claim_self_test(const Claims<exact::SelfTest>& claims) {
   struct Declared {
     std::string name;
-    double largest;
-    std::string reason;
+    double largest = 1e-7;
+    std::string reason = "steps of tolerance 2e-11, whose errors add up; no more than 5000 of them";
   };
-  const std::string steps = "steps of tolerance 2e-11, whose errors add up; no more than 5000 of them";
   const std::array identities{
       Declared{
           "kinetic energy at t = 0 is (pi/2) A^2 I_0(2A)", 1e-13,
           "integral equation solved to 1e-15, kernels rounded at neighbouring nodes 0.01 apart; sum over the nodes"},
-      Declared{"volume is conserved", 1e-7, steps}, Declared{"energy is conserved", 1e-7, steps},
-      Declared{"horizontal impulse is conserved", 1e-7, steps}};
+      Declared{"volume is conserved"}, Declared{"energy is conserved"}, Declared{"horizontal impulse is conserved"}};
   for (std::size_t k = 0; k < identities.size(); ++k) {
     claims.check(
         fmt::format("identity-{}", k + 1),
@@ -104,26 +102,22 @@ Results compute(const Run& run) {
 }
 
 void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
-  const double none = nan;
   exhibit.measure("reference_uncertainty", r.uncertainty);
-  exhibit.measure("vertical_tangent_time", r.wave.vertical_tangent_time().value_or(none));
-  exhibit.measure("touch_down_time", r.wave.touch_down_time().value_or(none));
+  exhibit.measure("vertical_tangent_time", r.wave.vertical_tangent_time().value_or(nan));
+  exhibit.measure("touch_down_time", r.wave.touch_down_time().value_or(nan));
   exhibit.measure("end_time", r.wave.end_time());
   auto& figure = exhibit.figure("profiles", "From a cosine to a plunging jet",
                                 "Surfaces over one wavelength, to the same scale both ways.");
-  for (const double t : instants_of(r.wave)) {
+  const auto draw = [&](evidence::Figure& to, double t, const std::string& title) {
     const auto profile = r.wave.profile(t, 401);
-    figure.panel({.x = "x [m]", .y = "y [m]", .title = fmt::format("t = {:.4g} s", t), .equal_aspect = true})
+    to.panel({.x = "x [m]", .y = "y [m]", .title = title, .equal_aspect = true})
         .line("surface", profile.x, profile.y, Role::exact);
-  }
+  };
+  for (const double t : instants_of(r.wave)) draw(figure, t, fmt::format("t = {:.4g} s", t));
   auto& film =
       exhibit.figure("film", "Overturning of the wave", "Surfaces over one wavelength, from the start to the jet.");
   film.drawing = "film";
-  for (const double t : evenly(0, instants_of(r.wave).back(), 25)) {
-    const auto profile = r.wave.profile(t, 401);
-    film.panel({.x = "x [m]", .y = "y [m]", .title = fmt::format("t = {:.2f} s", t), .equal_aspect = true})
-        .line("surface", profile.x, profile.y, Role::exact);
-  }
+  for (const double t : evenly(0, instants_of(r.wave).back(), 25)) draw(film, t, fmt::format("t = {:.2f} s", t));
 }
 
 std::vector<WantedTable> wanted(const Values& values) {

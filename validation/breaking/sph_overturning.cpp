@@ -21,26 +21,10 @@ namespace {
 
 using wcsph::Contour;
 
-/// A window of one wavelength that begins in the trough behind the crest, which runs with the linear wave.
-wcsph::Box window_at(const SteepWave& wave, double time, double lowest) {
-  const double k = 2 * std::numbers::pi / wave.wavelength;
-  const double left = exact::AiryDispersion(wave.gravity, wave.depth).phase_speed(k) * time - 0.5 * wave.wavelength;
-  return {left, left + wave.wavelength, lowest, wave.depth + 4 * wave.amplitude};
-}
-
 wcsph::VolumeFraction fraction_of(const wcsph::Flow& flow, const SphOverturning& setup) {
   wcsph::Box basin = wcsph::unbounded;
   basin.bottom = 0;
   return {flow.particles(), flow.smoothing_length(), basin, setup.settings.kernel, {.x = setup.wave.wavelength}};
-}
-
-std::vector<Contour> surface_of(const wcsph::Flow& flow, const SphOverturning& setup) {
-  return wcsph::free_surface(fraction_of(flow, setup), window_at(setup.wave, flow.time(), flow.smoothing_length()),
-                             0.5 * flow.spacing());
-}
-
-double mean_level(const wcsph::Flow& flow, const SphOverturning& setup) {
-  return fraction_of(flow, setup).mean_elevation(0, setup.wave.wavelength).value_or(nan) - setup.wave.depth;
 }
 
 /// Energy above that of still water.
@@ -64,8 +48,7 @@ wcsph::Scene scene_of(const SphOverturning& setup) {
                                                     return wcsph::Velocity{u, w};
                                                   },
                                               .pressure = pressure,
-                                              .spacing = setup.spacing(),
-                                              .lattice = setup.lattice},
+                                              .spacing = setup.spacing()},
                                              setup.settings);
   const wcsph::TaitFluid fluid(setup.settings.density, setup.settings.sound_speed);
   wcsph::Particles& p = scene.particles;
@@ -112,8 +95,8 @@ void exchange(Tape& tape, Polyline& line) {
 }
 
 void exchange(Tape& tape, SphOverturned& r) {
-  tape(r.spacing, r.smoothing_length, r.particles, r.steps, r.times, r.surfaces, r.speed, r.snapshots, r.kinetic,
-       r.energy, r.level, r.hangs_over, r.touches, r.cavity, r.breaks_up, r.extremes);
+  tape(r.spacing, r.particles, r.steps, r.times, r.surfaces, r.speed, r.snapshots, r.kinetic, r.energy, r.level,
+       r.hangs_over, r.touches, r.cavity, r.breaks_up, r.extremes);
 }
 
 SphOverturned overturn(const SphOverturning& setup, const std::vector<double>& times, double overhang, long watched,
@@ -122,14 +105,18 @@ SphOverturned overturn(const SphOverturning& setup, const std::vector<double>& t
   wcsph::Settings settings = setup.settings;
   settings.period = scene.period;
   wcsph::Flow flow(std::move(scene.particles), scene.spacing, settings, scene.paddles);
-  SphOverturned result{.spacing = scene.spacing,
-                       .smoothing_length = flow.smoothing_length(),
-                       .particles = flow.particles().count(wcsph::Kind::fluid)};
-  const double first_energy = wave_energy(flow, setup.wave);
+  SphOverturned result{.spacing = scene.spacing, .particles = flow.particles().count(wcsph::Kind::fluid)};
+  const SteepWave& wave = setup.wave;
+  const double phase_speed =
+      exact::AiryDispersion(wave.gravity, wave.depth).phase_speed(2 * std::numbers::pi / wave.wavelength);
+  const double first_energy = wave_energy(flow, wave);
   const double interval = times.back() / static_cast<double>(watched);
   const double hole = 4 * scene.spacing * scene.spacing;
   const auto look = [&] {
-    const std::vector<Contour> curves = surface_of(flow, setup);
+    // A window of one wavelength that begins in the trough behind the crest, which runs with the linear wave.
+    const double left = phase_speed * flow.time() - 0.5 * wave.wavelength;
+    const wcsph::Box window{left, left + wave.wavelength, flow.smoothing_length(), wave.depth + 4 * wave.amplitude};
+    const std::vector<Contour> curves = wcsph::free_surface(fraction_of(flow, setup), window, 0.5 * flow.spacing());
     if (std::isnan(result.hangs_over) && wcsph::overturns(curves, overhang)) result.hangs_over = flow.time();
     if (std::isnan(result.touches) && !std::isnan(result.hangs_over) && wcsph::touches_down(curves, hole)) {
       result.touches = flow.time();
@@ -151,14 +138,14 @@ SphOverturned overturn(const SphOverturning& setup, const std::vector<double>& t
         if (main == nullptr || main->x.size() < 2)
           throw std::runtime_error(fmt::format("no water surface at t = {:g} s", flow.time()));
         Polylines surface{{main->x, main->z}};
-        for (double& y : surface.front().y) y -= setup.wave.depth;
+        for (double& y : surface.front().y) y -= wave.depth;
         result.times.push_back(times[next]);
         result.surfaces.push_back(std::move(surface));
         result.speed.push_back(fastest(flow.particles()));
         result.snapshots.push_back(flow.particles());
         result.kinetic.push_back(flow.totals().kinetic / setup.settings.density);
-        result.energy.push_back(wave_energy(flow, setup.wave) / first_energy);
-        result.level.push_back(mean_level(flow, setup));
+        result.energy.push_back(wave_energy(flow, wave) / first_energy);
+        result.level.push_back(fraction_of(flow, setup).mean_elevation(0, wave.wavelength).value_or(nan) - wave.depth);
       }
       if (watch > flow.time()) march(flow, watch);
       look();

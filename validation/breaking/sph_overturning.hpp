@@ -36,7 +36,6 @@ std::vector<double> times_of(const exact::OverturningWave& wave);
 struct SphOverturning {
   SteepWave wave;
   long columns;  ///< particle spacings in a wavelength
-  wcsph::Lattice lattice = wcsph::Lattice::square;
   wcsph::Settings settings;
 
   [[nodiscard]] double spacing() const { return wave.wavelength / static_cast<double>(columns); }
@@ -45,7 +44,6 @@ struct SphOverturning {
 /// What one computation left: surfaces, elevations above the level at rest, and when things happened.
 struct SphOverturned {
   double spacing = 0;
-  double smoothing_length = 0;
   std::size_t particles = 0;
   long steps = 0;
   std::vector<double> times;
@@ -55,10 +53,10 @@ struct SphOverturned {
   std::vector<double> kinetic;              ///< there, kinetic energy over the density [m^4/s^2]
   std::vector<double> energy;               ///< there, over that of the beginning; counted from still water
   std::vector<double> level;                ///< there, mean elevation [m]: 0 for water that keeps its volume
-  double hangs_over = std::numeric_limits<double>::quiet_NaN();  ///< first time with the overhang asked for [s]
-  double touches = std::numeric_limits<double>::quiet_NaN();     ///< first time with a closed cavity [s]
-  double cavity = std::numeric_limits<double>::quiet_NaN();      ///< area of the air in it then [m^2]
-  double breaks_up = std::numeric_limits<double>::quiet_NaN();   ///< time of a divergence before the jet touched [s]
+  double hangs_over = nan;                  ///< first time with the overhang asked for [s]
+  double touches = nan;                     ///< first time with a closed cavity [s]
+  double cavity = nan;                      ///< area of the air in it then [m^2]
+  double breaks_up = nan;                   ///< time of a divergence before the jet touched [s]
   wcsph::Extremes extremes;
 
   [[nodiscard]] std::string resolution() const { return sph_resolution(spacing, particles); }
