@@ -29,18 +29,18 @@ void draw_forces(evidence::Panel& panel, const BermHistory& history) {
   panel.line("total", history.time, history.total, evidence::Role::exact);
 }
 
-BermWave run_berm_wave(const Berm& berm, std::size_t columns, std::size_t rows, const SurfaceMode& mode,
+BermWave run_berm_wave(const Berm& berm, const BermResolution& mesh, const SurfaceMode& mode,
                        const BermRunSettings& settings, const FlowWatcher& watch) {
-  const double width = berm.length / static_cast<double>(columns);
+  const double width = berm.length / static_cast<double>(mesh.columns(berm));
   const auto elevation = [&](double x) {
     const auto i = static_cast<std::size_t>(std::lround((x + berm.length) / width));
     return settings.height * mode.elevation[i] / mode.elevation.front();
   };
-  BermWave wave{.flow = Flow(berm.mesh(columns, rows, elevation), {}, {}, {.hourglass = settings.hourglass})};
+  BermWave wave{.flow = Flow(mesh.mesh(berm, elevation), {}, {}, {.hourglass = settings.hourglass})};
   Flow& flow = wave.flow;
   BermHistory& history = wave.history;
   BermGauge gauge(flow, berm);
-  if (watch) watch(flow);
+  watch(flow);
   march(flow, settings.time, settings.tau, [&] {
     if (const auto reading = gauge.after_step()) {
       history.time.push_back(reading->time);
@@ -48,7 +48,7 @@ BermWave run_berm_wave(const Berm& berm, std::size_t columns, std::size_t rows, 
       history.rear.push_back(reading->load.rear / settings.height);
       history.total.push_back(reading->load.total() / settings.height);
     }
-    if (watch) watch(flow);
+    watch(flow);
   });
   return wave;
 }

@@ -59,7 +59,8 @@ struct BermRunSettings {
 using FlowWatcher = std::function<void(const lagrangian_mesh_2d::Flow& flow)>;
 
 /// From rest, in the shape of a mode of the same mesh. Throws Divergence.
-BermWave run_berm_wave(const Berm& berm, std::size_t columns, std::size_t rows, const SurfaceMode& mode,
-                       const BermRunSettings& settings, const FlowWatcher& watch = {});
+BermWave run_berm_wave(
+    const Berm& berm, const BermResolution& mesh, const SurfaceMode& mode, const BermRunSettings& settings,
+    const FlowWatcher& watch = [](const lagrangian_mesh_2d::Flow&) {});
 
 }  // namespace seiche::validation

@@ -42,8 +42,15 @@ BermLoad berm_load(const Mesh& mesh, std::span<const double> y, std::span<const 
   return load;
 }
 
-std::vector<StandingLoad> standing_loads(const Berm& berm, std::size_t columns, std::size_t rows, double shortest) {
-  Model model(berm.mesh(columns, rows));
+Berm berm_of(const Values& values) {
+  return {.rise = 1 - values.real("berm_depth"), .width = values.real("berm_width")};
+}
+BermResolution berm_mesh_of(const Values& values) {
+  return {values.real("columns_per_depth"), values.count("rows")};
+}
+
+std::vector<StandingLoad> standing_loads(const Berm& berm, const BermResolution& mesh, double shortest) {
+  Model model(mesh.mesh(berm));
   const exact::AiryDispersion airy(1, 1);
   std::vector<StandingLoad> loads;
   for (const SurfaceMode& mode : surface_modes(model)) {
@@ -58,18 +65,25 @@ std::vector<StandingLoad> standing_loads(const Berm& berm, std::size_t columns, 
   return loads;
 }
 
-std::vector<StandingLoad> loads_by_wavelength(const Berm& berm, double columns_per_depth, std::size_t rows,
-                                              double shortest, double longest) {
+std::vector<StandingLoad> loads_by_wavelength(const Berm& berm, const BermResolution& mesh, double shortest,
+                                              double longest) {
   std::vector<StandingLoad> all;
   for (int n = -4; n <= 4; ++n) {
     Berm other = berm;
     other.length += 0.5 * n;
-    const auto columns = static_cast<std::size_t>(std::lround(columns_per_depth * other.length));
-    std::ranges::copy_if(standing_loads(other, columns, rows, shortest), std::back_inserter(all),
+    std::ranges::copy_if(standing_loads(other, mesh, shortest), std::back_inserter(all),
                          [&](const StandingLoad& one) { return one.wavelength <= longest; });
   }
   std::ranges::sort(all, {}, &StandingLoad::wavelength);
   return all;
+}
+
+BasinWave basin_wave(const Berm& berm, const BermResolution& mesh, double wavelength) {
+  Model model(mesh.mesh(berm));
+  const std::vector<StandingLoad> loads = standing_loads(berm, mesh, 3);
+  const auto nearest = std::ranges::min_element(
+      loads, {}, [&](const StandingLoad& one) { return std::abs(one.wavelength - wavelength); });
+  return {.mode = surface_modes(model)[static_cast<std::size_t>(nearest - loads.begin())], .load = *nearest};
 }
 
 }  // namespace seiche::validation

@@ -27,7 +27,6 @@ force on a plain wall. Much longer waves load both walls in phase.
 #include <fmt/format.h>
 
 #include "seiche/models/lagrangian_mesh_2d/flow.hpp"
-#include "validation/breakwater/basin_wave.hpp"
 #include "validation/breakwater/berm_history.hpp"
 #include "validation/breakwater/berm_load.hpp"
 #include "validation/case/case.hpp"
@@ -50,26 +49,14 @@ struct SetUp {
   std::size_t meshes;  ///< of the refinement, from half the resolution on
 
   explicit SetUp(const Values& values)
-      : berm{.rise = 1 - values.real("berm_depth"), .width = values.real("berm_width")},
-        mesh{values.real("columns_per_depth"), values.count("rows")},
+      : berm(berm_of(values)),
+        mesh(berm_mesh_of(values)),
         tau(values.real("tau")),
         meshes(values.tier() == Tier::quick ? 3 : 4) {}
-
-  [[nodiscard]] bool as_given() const { return berm.rise == Berm{}.rise && berm.width == Berm{}.width; }
   [[nodiscard]] BermResolution refined(std::size_t n) const {
     return mesh.times(0.5 * std::pow(2, static_cast<double>(n)));
   }
 };
-
-std::vector<StandingLoad> loads_of(const Berm& berm, const BermResolution& mesh) {
-  return standing_loads(berm, mesh.columns(berm), mesh.rows, shortest);
-}
-
-/// Differences of both forces.
-void add_differences(Worst& worst, const StandingLoad& a, const StandingLoad& b) {
-  worst.add(a.force.front - b.force.front, a.wavelength);
-  worst.add(a.force.rear - b.force.rear, a.wavelength);
-}
 
 /// A wave that runs in time, small.
 struct SmallWave : BasinWave {
@@ -94,17 +81,10 @@ double in_time_limit(double frequency, double tau) {
 
 struct Results {
   std::vector<double> changes;  ///< of forces by each halving of the cells
-  Worst rest;                   ///< accelerations of water without a wave
-  std::vector<StandingLoad> loads;
-  SmallWave gentle;
+  Worst rest = {};              ///< accelerations of water without a wave
+  std::vector<StandingLoad> loads = {};
+  SmallWave gentle = {};
 };
-
-std::vector<StandingLoad> band_of(const Results& r) {
-  std::vector<StandingLoad> band;
-  std::ranges::copy_if(r.loads, std::back_inserter(band),
-                       [](const StandingLoad& one) { return one.wavelength >= 4.5 && one.wavelength <= 8; });
-  return band;
-}
 
 void claims(const Values& values, const Claims<Results>& claims) {
   const SetUp s(values);
@@ -125,14 +105,17 @@ void claims(const Values& values, const Claims<Results>& claims) {
              Bound{.limit = 0,
                    .reason = "the forces vanish without rounding: the surface is at y = 0, and the bottom does not "
                              "enter the potential energy"});
-  claims.only_if(s.as_given(), "for the berm of the default parameters")
+  claims.only_if(s.berm.usual(), "for the berm of the default parameters")
       .at(s.mesh.name(s.berm))
       .check(
           "antiphase", "The forces on front and rear have opposite signs for waves of L/h = 4.5 to 8.",
           "fraction of these waves with opposite forces",
           [](const Results& r) {
             Count opposite;
-            for (const StandingLoad& one : band_of(r)) opposite.add(one.force.front, [](double f) { return f < 0; });
+            for (const StandingLoad& one : r.loads) {
+              if (one.wavelength < 4.5 || one.wavelength > 8) continue;
+              opposite.add(one.force.front, [](double f) { return f < 0; });
+            }
             return opposite.value() / static_cast<double>(opposite.samples());
           },
           Qualitative{.detector = "sign of the force on the front at the maximum force on the rear",
@@ -161,12 +144,14 @@ void claims(const Values& values, const Claims<Results>& claims) {
 std::vector<double> changes_by_refinement(const SetUp& s) {
   constexpr double longer_than = 4;
   std::vector<double> changes;
-  std::vector<StandingLoad> coarse = loads_of(s.berm, s.refined(0));
+  std::vector<StandingLoad> coarse = standing_loads(s.berm, s.refined(0), shortest);
   for (std::size_t n = 1; n < s.meshes; ++n) {
-    std::vector<StandingLoad> fine = loads_of(s.berm, s.refined(n));
+    std::vector<StandingLoad> fine = standing_loads(s.berm, s.refined(n), shortest);
     Worst change;
     for (std::size_t m = 0; m < std::min(coarse.size(), fine.size()); ++m) {
-      if (fine[m].wavelength >= longer_than) add_differences(change, coarse[m], fine[m]);
+      if (fine[m].wavelength < longer_than) continue;
+      change.add(coarse[m].force.front - fine[m].force.front);
+      change.add(coarse[m].force.rear - fine[m].force.rear);
     }
     changes.push_back(change.value());
     coarse = std::move(fine);
@@ -174,29 +159,20 @@ std::vector<double> changes_by_refinement(const SetUp& s) {
   return changes;
 }
 
-/// Accelerations in one step of water without a wave.
-Worst rest(const SetUp& s) {
-  Flow flow(s.berm.mesh(s.mesh.columns(s.berm), s.mesh.rows));
-  flow.advance(s.tau);
-  return over<Worst>(flow.state().u, [&](double u) { return u / s.tau; });
-}
-
-SmallWave small_wave(const SetUp& s, double wavelength) {
-  SmallWave wave{basin_wave(s.berm, s.mesh, wavelength), {}};
-  wave.history = run_berm_wave(s.berm, s.mesh.columns(s.berm), s.mesh.rows, wave.mode,
-                               {.height = small_height, .time = wave.period(), .tau = s.tau})
-                     .history;
-  return wave;
-}
-
 Results compute(const Run& run) {
   const SetUp s(run);
-  std::vector<double> changes = changes_by_refinement(s);
-  const Worst accelerations = rest(s);
+  Results r{.changes = changes_by_refinement(s)};
+  // Accelerations in one step of water without a wave.
+  Flow flow(s.mesh.mesh(s.berm));
+  flow.advance(s.tau);
+  r.rest = over<Worst>(flow.state().u, [&](double u) { return u / s.tau; });
   run.progress(0.3);
-  std::vector<StandingLoad> loads = loads_by_wavelength(s.berm, s.mesh.columns_per_depth, s.mesh.rows, shortest, 17);
+  r.loads = loads_by_wavelength(s.berm, s.mesh, shortest, 17);
   run.progress(0.7);
-  return {std::move(changes), accelerations, std::move(loads), small_wave(s, run.real("wavelength"))};
+  const BasinWave wave = basin_wave(s.berm, s.mesh, run.real("wavelength"));
+  const BermRunSettings settings{.height = small_height, .time = wave.period(), .tau = s.tau};
+  r.gentle = {wave, run_berm_wave(s.berm, s.mesh, wave.mode, settings).history};
+  return r;
 }
 
 void draw_forces(const std::vector<StandingLoad>& all, evidence::Exhibit& exhibit) {
@@ -206,9 +182,9 @@ void draw_forces(const std::vector<StandingLoad>& all, evidence::Exhibit& exhibi
                                 "at the maximum force on the rear; then the total over the force on a plain wall.",
                                 {"frank-breakwater"});
   auto& forces = figure.panel({.x = "wavelength [depth]", .y = "force/height [rho g depth]"});
-  forces.line("front", length, each(all, [](const StandingLoad& one) { return one.force.front; }), Role::computed);
-  forces.line("rear", length, each(all, [](const StandingLoad& one) { return one.force.rear; }), Role::peer);
-  forces.line("total", length, each(all, [](const StandingLoad& one) { return one.force.total(); }), Role::exact);
+  draw_forces(forces, BermHistory{length, each(all, [](const StandingLoad& one) { return one.force.front; }),
+                                  each(all, [](const StandingLoad& one) { return one.force.rear; }),
+                                  each(all, [](const StandingLoad& one) { return one.force.total(); })});
   auto& relation = figure.panel({.x = "wavelength [depth]", .y = "|total|/plain wall"});
   relation.line("total", length, each(all, &StandingLoad::relative), Role::exact);
   relation.line("a tenth", std::vector{length.front(), length.back()}, std::vector{0.1, 0.1}, Role::guide);
@@ -219,7 +195,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   for (std::size_t n = 1; n < s.meshes; ++n) {
     exhibit.measure(fmt::format("change_by_refinement_to_{}_columns", s.refined(n).columns(s.berm)), r.changes[n - 1]);
   }
-  if (s.as_given()) {
+  if (s.berm.usual()) {
     const auto calm = [](const StandingLoad& one) { return one.relative() < 0.1; };
     const auto first = std::ranges::find_if(r.loads, calm);
     if (first != r.loads.end()) {

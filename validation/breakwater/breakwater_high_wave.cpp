@@ -39,8 +39,8 @@ remainder has twice the frequency.
 
 #include "seiche/exact/dispersion.hpp"
 #include "seiche/models/lagrangian_mesh_2d/flow.hpp"
-#include "validation/breakwater/basin_wave.hpp"
 #include "validation/breakwater/berm_history.hpp"
+#include "validation/breakwater/berm_load.hpp"
 #include "validation/breakwater/harmonic.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/literature.hpp"
@@ -50,6 +50,8 @@ remainder has twice the frequency.
 namespace seiche::validation::cases::breakwater_high_wave {
 
 using lagrangian_mesh_2d::Flow;
+using lagrangian_mesh_2d::Mesh;
+using lagrangian_mesh_2d::Slide;
 
 // Balance of the horizontal momentum of water between vertical walls over a curved bottom, step by step of Frank's
 // one-step scheme on the Lagrangian mesh.
@@ -82,17 +84,96 @@ class MomentumBalance {
     double left = 0;    ///< force of the left wall
     double right = 0;   ///< of the right wall
     double bottom = 0;  ///< of the bottom
+    [[nodiscard]] double forces() const { return left + right + bottom; }
     /// What is missing in the balance.
-    [[nodiscard]] double defect() const { return rate - (left + right + bottom); }
+    [[nodiscard]] double defect() const { return rate - forces(); }
   };
   /// To be called after every step.
-  Step after_step();
+  Step after_step() {
+    const auto& model = flow_->model();
+    const Mesh& mesh = model.mesh();
+    const std::size_t n = mesh.nodes();
+    const auto& q = flow_->state().q;
+    const auto& u = flow_->state().u;
+    std::vector<double> middle(q_.size());
+    for (std::size_t i = 0; i < 2 * n; ++i) middle[i] = q_[i] + 0.5 * tau_ * u_[i];
+    const auto slides = model.nodes().slides();
+    for (std::size_t i = 0; i < slides.size(); ++i) {
+      const Slide& slide = slides[i];
+      const Point before = slide.curve->tangent(q_[2 * n + i]);
+      const double speed = before.x * u_[slide.node] + before.y * u_[n + slide.node];
+      middle[2 * n + i] = q_[2 * n + i] + 0.5 * tau_ * speed;
+      const Point place = slide.curve->position(middle[2 * n + i]);
+      middle[slide.node] = place.x;
+      middle[n + slide.node] = place.y;
+    }
+    const Forces f = forces(middle);
+    Step step{.time = time_ + 0.5 * tau_};
+    for (std::size_t j = 0; j <= mesh.rows; ++j) {
+      step.left -= f.x[mesh.node(0, j)];
+      step.right -= f.x[mesh.node(mesh.columns, j)];
+    }
+    for (std::size_t i = 0; i < slides.size(); ++i) {
+      const std::size_t k = slides[i].node;
+      const Point t0 = slides[i].curve->tangent(q_[2 * n + i]);
+      const Point t = slides[i].curve->tangent(middle[2 * n + i]);
+      const Point t1 = slides[i].curve->tangent(q[2 * n + i]);
+      const double speed0 = t0.x * u_[k] + t0.y * u_[n + k];
+      const double speed1 = t1.x * u[k] + t1.y * u[n + k];
+      const double along = f.x[k] * t.x + f.y[k] * t.y;
+      const double turning = (speed1 * (t1.x - t.x) - speed0 * (t0.x - t.x)) / tau_;
+      step.bottom += along * t.x - f.x[k] + model.nodes().mass()[k] * turning;
+    }
+    for (std::size_t k = 0; k < n; ++k) step.rate += model.nodes().mass()[k] * (u[k] - u_[k]) / tau_;
+    remember();
+    return step;
+  }
 
  private:
   struct Forces {
     std::vector<double> x, y;
   };
-  [[nodiscard]] Forces forces(const std::vector<double>& middle) const;
+  [[nodiscard]] Forces forces(const std::vector<double>& middle) const {
+    const auto& model = flow_->model();
+    const Mesh& mesh = model.mesh();
+    const std::size_t n = mesh.nodes();
+    const double weight = model.settings().density * model.settings().gravity;
+    const auto x = [&](std::size_t k) { return middle[k]; };
+    const auto y = [&](std::size_t k) { return middle[n + k]; };
+    const double mean_area = std::accumulate(model.first_volumes().begin(), model.first_volumes().end(), 0.0) /
+                             static_cast<double>(mesh.cells());
+    const double stiffness = model.settings().hourglass * weight * std::sqrt(mean_area);
+    Forces f{.x = std::vector<double>(n, 0.0), .y = std::vector<double>(n, 0.0)};
+    for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
+      const auto r = mesh.corners(cell);
+      const double lambda = flow_->multipliers()[cell];
+      for (std::size_t c = 0; c < 4; ++c) {
+        // dV/dr of corner c: half the diagonal between its neighbours, turned.
+        const std::size_t next = r[(c + 1) % 4];
+        const std::size_t last = r[(c + 3) % 4];
+        f.x[r[c]] += 0.5 * lambda * (y(next) - y(last));
+        f.y[r[c]] -= 0.5 * lambda * (x(next) - x(last));
+      }
+      const auto alternating = [&](const auto& at) { return at(r[0]) - at(r[1]) + at(r[2]) - at(r[3]); };
+      const double hx = stiffness * (alternating(x) - alternating([&](std::size_t k) { return mesh.x[k]; }));
+      const double hy = stiffness * (alternating(y) - alternating([&](std::size_t k) { return mesh.y[k]; }));
+      for (std::size_t c = 0; c < 4; ++c) {
+        f.x[r[c]] -= c % 2 == 0 ? hx : -hx;
+        f.y[r[c]] -= c % 2 == 0 ? hy : -hy;
+      }
+    }
+    for (std::size_t i = 0; i < mesh.columns; ++i) {
+      const std::size_t a = mesh.node(i, mesh.rows);
+      const std::size_t b = a + 1;
+      const double push = weight * (y(a) * y(a) + y(a) * y(b) + y(b) * y(b)) / 6;
+      f.x[a] += push;
+      f.x[b] -= push;
+      f.y[a] -= weight * (x(b) - x(a)) * (2 * y(a) + y(b)) / 6;
+      f.y[b] -= weight * (x(b) - x(a)) * (y(a) + 2 * y(b)) / 6;
+    }
+    return f;
+  }
+
   void remember() {
     q_ = flow_->state().q;
     u_ = flow_->state().u;
@@ -105,90 +186,6 @@ class MomentumBalance {
   double time_ = 0;
 };
 
-using lagrangian_mesh_2d::Mesh;
-using lagrangian_mesh_2d::Slide;
-
-MomentumBalance::Forces MomentumBalance::forces(const std::vector<double>& middle) const {
-  const auto& model = flow_->model();
-  const Mesh& mesh = model.mesh();
-  const std::size_t n = mesh.nodes();
-  const double weight = model.settings().density * model.settings().gravity;
-  const auto x = [&](std::size_t k) { return middle[k]; };
-  const auto y = [&](std::size_t k) { return middle[n + k]; };
-  const double mean_area = std::accumulate(model.first_volumes().begin(), model.first_volumes().end(), 0.0) /
-                           static_cast<double>(mesh.cells());
-  const double stiffness = model.settings().hourglass * weight * std::sqrt(mean_area);
-  Forces f{.x = std::vector<double>(n, 0.0), .y = std::vector<double>(n, 0.0)};
-  for (std::size_t cell = 0; cell < mesh.cells(); ++cell) {
-    const auto r = mesh.corners(cell);
-    const double lambda = flow_->multipliers()[cell];
-    for (std::size_t c = 0; c < 4; ++c) {
-      // dV/dr of corner c: half the diagonal between its neighbours, turned.
-      const std::size_t next = r[(c + 1) % 4];
-      const std::size_t last = r[(c + 3) % 4];
-      f.x[r[c]] += 0.5 * lambda * (y(next) - y(last));
-      f.y[r[c]] -= 0.5 * lambda * (x(next) - x(last));
-    }
-    const auto alternating = [&](const auto& at) { return at(r[0]) - at(r[1]) + at(r[2]) - at(r[3]); };
-    const double hx = stiffness * (alternating(x) - alternating([&](std::size_t k) { return mesh.x[k]; }));
-    const double hy = stiffness * (alternating(y) - alternating([&](std::size_t k) { return mesh.y[k]; }));
-    for (std::size_t c = 0; c < 4; ++c) {
-      f.x[r[c]] -= c % 2 == 0 ? hx : -hx;
-      f.y[r[c]] -= c % 2 == 0 ? hy : -hy;
-    }
-  }
-  for (std::size_t i = 0; i < mesh.columns; ++i) {
-    const std::size_t a = mesh.node(i, mesh.rows);
-    const std::size_t b = a + 1;
-    const double push = weight * (y(a) * y(a) + y(a) * y(b) + y(b) * y(b)) / 6;
-    f.x[a] += push;
-    f.x[b] -= push;
-    f.y[a] -= weight * (x(b) - x(a)) * (2 * y(a) + y(b)) / 6;
-    f.y[b] -= weight * (x(b) - x(a)) * (y(a) + 2 * y(b)) / 6;
-  }
-  return f;
-}
-
-MomentumBalance::Step MomentumBalance::after_step() {
-  const auto& model = flow_->model();
-  const Mesh& mesh = model.mesh();
-  const std::size_t n = mesh.nodes();
-  const auto& q = flow_->state().q;
-  const auto& u = flow_->state().u;
-  std::vector<double> middle(q_.size());
-  for (std::size_t i = 0; i < 2 * n; ++i) middle[i] = q_[i] + 0.5 * tau_ * u_[i];
-  const auto slides = model.nodes().slides();
-  for (std::size_t i = 0; i < slides.size(); ++i) {
-    const Slide& slide = slides[i];
-    const Point before = slide.curve->tangent(q_[2 * n + i]);
-    const double speed = before.x * u_[slide.node] + before.y * u_[n + slide.node];
-    middle[2 * n + i] = q_[2 * n + i] + 0.5 * tau_ * speed;
-    const Point place = slide.curve->position(middle[2 * n + i]);
-    middle[slide.node] = place.x;
-    middle[n + slide.node] = place.y;
-  }
-  const Forces f = forces(middle);
-  Step step{.time = time_ + 0.5 * tau_};
-  for (std::size_t j = 0; j <= mesh.rows; ++j) {
-    step.left -= f.x[mesh.node(0, j)];
-    step.right -= f.x[mesh.node(mesh.columns, j)];
-  }
-  for (std::size_t i = 0; i < slides.size(); ++i) {
-    const std::size_t k = slides[i].node;
-    const Point t0 = slides[i].curve->tangent(q_[2 * n + i]);
-    const Point t = slides[i].curve->tangent(middle[2 * n + i]);
-    const Point t1 = slides[i].curve->tangent(q[2 * n + i]);
-    const double speed0 = t0.x * u_[k] + t0.y * u_[n + k];
-    const double speed1 = t1.x * u[k] + t1.y * u[n + k];
-    const double along = f.x[k] * t.x + f.y[k] * t.y;
-    const double turning = (speed1 * (t1.x - t.x) - speed0 * (t0.x - t.x)) / tau_;
-    step.bottom += along * t.x - f.x[k] + model.nodes().mass()[k] * turning;
-  }
-  for (std::size_t k = 0; k < n; ++k) step.rate += model.nodes().mass()[k] * (u[k] - u_[k]) / tau_;
-  remember();
-  return step;
-}
-
 const std::string source = "Frank (1994), section 2.3";
 constexpr double shortest = 3;
 
@@ -196,23 +193,24 @@ constexpr double shortest = 3;
 struct SetUp {
   Berm berm;
   BermResolution mesh;
-  double height, tau, wavelength;
+  double height, tau, wavelength, hourglass;
   long periods;
 
   explicit SetUp(const Values& values)
-      : berm{.rise = 1 - values.real("berm_depth"), .width = values.real("berm_width")},
-        mesh{values.real("columns_per_depth"), values.count("rows")},
+      : berm(berm_of(values)),
+        mesh(berm_mesh_of(values)),
         height(values.real("height")),
         tau(values.real("tau")),
         wavelength(values.real("wavelength")),
+        hourglass(values.real("hourglass")),
         periods(values.integer("periods")) {}
-
   /// The berm is half a wave wide.
-  [[nodiscard]] bool half_wave() const {
-    return berm.rise == Berm{}.rise && berm.width == Berm{}.width && wavelength >= 4.5 && wavelength <= 8;
+  [[nodiscard]] bool half_wave() const { return berm.usual() && wavelength >= 4.5 && wavelength <= 8; }
+  /// Of a run of the wave of a basin.
+  [[nodiscard]] BermRunSettings run_of(const BasinWave& small) const {
+    return {
+        .height = height, .time = static_cast<double>(periods) * small.period(), .tau = tau, .hourglass = hourglass};
   }
-  /// Of the basin before a plain wall: an antinode at both ends.
-  [[nodiscard]] Berm plain(double length) const { return {.rise = 0, .width = berm.width, .length = length}; }
   [[nodiscard]] std::string name() const { return fmt::format("{}, tau = {:g}", mesh.name(berm), tau); }
 };
 
@@ -220,10 +218,10 @@ struct SetUp {
 struct WatchedWave {
   BasinWave small;
   BermWave wave;
-  std::vector<MomentumBalance::Step> steps;
+  std::vector<MomentumBalance::Step> steps = {};
   double first_energy = 0;
-  Worst energy;   ///< change
-  Worst fastest;  ///< velocity
+  Worst energy = {};   ///< change
+  Worst fastest = {};  ///< velocity
 };
 
 struct Results {
@@ -355,24 +353,23 @@ void claims(const Values& values, const Claims<Results>& claims) {
 
 WatchedWave run_high(const SetUp& s, const Run& run) {
   BasinWave small = basin_wave(s.berm, s.mesh, s.wavelength);
-  const double end = static_cast<double>(s.periods) * small.period();
+  const BermRunSettings settings = s.run_of(small);
+  const double end = settings.time;
   std::optional<MomentumBalance> balance;
   std::vector<MomentumBalance::Step> steps;
   double first_energy = 0;
   Worst energy, fastest;
-  BermWave wave = run_berm_wave(s.berm, s.mesh.columns(s.berm), s.mesh.rows, small.mode,
-                                {.height = s.height, .time = end, .tau = s.tau, .hourglass = run.real("hourglass")},
-                                [&](const Flow& flow) {
-                                  if (!balance) {
-                                    balance.emplace(flow, end / std::ceil(end / s.tau - 1e-9));
-                                    first_energy = flow.energy();
-                                    return;
-                                  }
-                                  steps.push_back(balance->after_step());
-                                  energy.add(flow.energy() - first_energy, flow.time());
-                                  for (const double u : flow.state().u) fastest.add(u);
-                                  run.progress(0.9 * flow.time() / end);
-                                });
+  BermWave wave = run_berm_wave(s.berm, s.mesh, small.mode, settings, [&](const Flow& flow) {
+    if (!balance) {
+      balance.emplace(flow, end / std::ceil(end / s.tau - 1e-9));
+      first_energy = flow.energy();
+      return;
+    }
+    steps.push_back(balance->after_step());
+    energy.add(flow.energy() - first_energy, flow.time());
+    for (const double u : flow.state().u) fastest.add(u);
+    run.progress(0.9 * flow.time() / end);
+  });
   return {std::move(small), std::move(wave), std::move(steps), first_energy, energy, fastest};
 }
 
@@ -380,25 +377,10 @@ Results compute(const Run& run) {
   const SetUp s(run);
   WatchedWave high = run_high(s, run);
   // Two antinodes, a wave's length apart.
-  const Berm plain = s.plain(high.small.load.wavelength);
+  const Berm plain{.rise = 0, .width = s.berm.width, .length = high.small.load.wavelength};
   BasinWave plain_small = basin_wave(plain, s.mesh, plain.length);
-  BermWave plain_wave = run_berm_wave(plain, s.mesh.columns(plain), s.mesh.rows, plain_small.mode,
-                                      {.height = s.height,
-                                       .time = static_cast<double>(s.periods) * plain_small.period(),
-                                       .tau = s.tau,
-                                       .hourglass = run.real("hourglass")});
+  BermWave plain_wave = run_berm_wave(plain, s.mesh, plain_small.mode, s.run_of(plain_small));
   return {std::move(high), std::move(plain_small), std::move(plain_wave)};
-}
-
-void draw_momentum(const WatchedWave& high, evidence::Exhibit& exhibit) {
-  auto& panel = add_panel(exhibit, "momentum", "Balance of the horizontal momentum",
-                          "Rate of the water's momentum, and the sum of the forces of far wall, rear wall and bottom "
-                          "on the water, step by step.",
-                          {.x = "t [sqrt(depth/g)]", .y = "force [rho g depth^2]"}, {"frank-breakwater"});
-  using Step = MomentumBalance::Step;
-  const std::vector<double> time = each(high.steps, &Step::time);
-  panel.line("forces", time, each(high.steps, [](const Step& s) { return s.left + s.right + s.bottom; }), Role::exact);
-  panel.line("rate of momentum", time, each(high.steps, &Step::rate), Role::computed);
 }
 
 void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
@@ -420,7 +402,13 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
       {.x = "t [sqrt(depth/g)]", .y = "force/height [rho g depth]"}, {"frank-breakwater"});
   draw_forces(panel, history);
   panel.line("plain wall", r.plain.history.time, r.plain.history.rear, Role::guide);
-  draw_momentum(r.high, exhibit);
+  auto& balance = add_panel(exhibit, "momentum", "Balance of the horizontal momentum",
+                            "Rate of the water's momentum, and the sum of the forces of far wall, rear wall and bottom "
+                            "on the water, step by step.",
+                            {.x = "t [sqrt(depth/g)]", .y = "force [rho g depth^2]"}, {"frank-breakwater"});
+  const std::vector<double> time = each(r.high.steps, &MomentumBalance::Step::time);
+  balance.line("forces", time, each(r.high.steps, &MomentumBalance::Step::forces), Role::exact);
+  balance.line("rate of momentum", time, each(r.high.steps, &MomentumBalance::Step::rate), Role::computed);
   const MeshWindow window{-s.berm.width - 2.5, 0.1};
   draw_mesh(
       add_panel(exhibit, "mesh", "The mesh over the berm", "At the end of the high wave's run.", mesh_axes("", window)),

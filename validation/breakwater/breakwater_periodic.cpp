@@ -26,6 +26,8 @@ Waves of $L/h = 15$ load both in phase.
 #include <array>
 #include <cmath>
 #include <complex>
+#include <functional>
+#include <iterator>
 #include <numbers>
 #include <vector>
 
@@ -33,13 +35,17 @@ Waves of $L/h = 15$ load both in phase.
 
 #include "seiche/exact/dispersion.hpp"
 #include "seiche/exact/wavemaker.hpp"
-#include "validation/breakwater/basin_wave.hpp"
+#include "validation/breakwater/berm_history.hpp"
+#include "validation/breakwater/berm_load.hpp"
 #include "validation/breakwater/incident_waves.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/literature.hpp"
 #include "validation/instruments/each.hpp"
 
 namespace seiche::validation::cases::breakwater_periodic {
+
+using std::numbers::pi;
+using Complex = std::complex<double>;
 
 // How far a tank has settled in linear theory: the wave of a piston that starts softly, at a distance, analysed over
 // the same periods as the run's (harmonic.hpp), over the settled wave.
@@ -48,26 +54,29 @@ namespace seiche::validation::cases::breakwater_periodic {
 // wavenumber, with Havelock's height per stroke. Waves that decay with the distance from the paddle are left out.
 //
 // When not to use it: within two depths of the paddle; distances that a part of the motion has not left behind.
-
 class TankStart {
  public:
   explicit TankStart(const IncidentWaves& waves);
-
   /// Amplitude at a distance from the piston over that of the settled wave, its phase taken out: 1 when settled, 0
   /// before anything arrives.
-  [[nodiscard]] std::complex<double> settled_share(double distance) const;
+  [[nodiscard]] Complex settled_share(double distance) const {
+    Complex sum = 0;
+    for (const Part& part : parts_) {
+      const Complex travel = std::polar(1.0, part.wavenumber * distance);
+      sum += part.forward * std::conj(travel) + part.backward * travel;
+    }
+    return sum * std::polar(1.0, -wavenumber_ * distance);
+  }
 
  private:
   struct Part {
     double wavenumber;
-    std::complex<double> forward, backward;  // weights of the wave and of its conjugate
+    Complex forward, backward;  // weights of the wave and of its conjugate
   };
+
   double wavenumber_;
   std::vector<Part> parts_;
 };
-
-using std::numbers::pi;
-using Complex = std::complex<double>;
 
 TankStart::TankStart(const IncidentWaves& waves) {
   const exact::AiryDispersion airy(1, 1);
@@ -102,15 +111,6 @@ TankStart::TankStart(const IncidentWaves& waves) {
   }
 }
 
-Complex TankStart::settled_share(double distance) const {
-  Complex sum = 0;
-  for (const Part& part : parts_) {
-    const Complex travel = std::polar(1.0, part.wavenumber * distance);
-    sum += part.forward * std::conj(travel) + part.backward * travel;
-  }
-  return sum * std::polar(1.0, -wavenumber_ * distance);
-}
-
 const std::string source = "Frank (1994), section 2.3";
 constexpr double largest_limit = 0.02;
 // A wave of this height at an antinode tangles the mesh at the edge of the berm within these periods.
@@ -126,7 +126,7 @@ struct SetUp {
   std::vector<double> wavelengths;  ///< the first: the berm is half a wave wide; the last: a long wave
 
   explicit SetUp(const Values& values)
-      : mesh{values.real("columns_per_depth"), values.count("rows")},
+      : mesh(berm_mesh_of(values)),
         sea(values.real("sea")),
         height(values.real("height")),
         steps(values.integer("steps")),
@@ -238,33 +238,26 @@ void claim_loads(const Claims<Results>& claims, const SetUp& s) {
 }
 
 void claim_statement(const Claims<Results>& claims, const SetUp& s) {
-  claims.check(
-      "antiphase", "The forces on front and rear are in antiphase where the berm is half a wavelength wide.",
-      "phase between front and rear [rad]",
-      [s](const Results& r) -> Measurement {
-        const Periodic& half = r.front();
-        return {.value = std::abs(std::arg(half.settled.front / half.settled.rear)),
-                .told = {.limit = 2 * half.phase_limit(s)}};
-      },
-      Bound{.limit = Amount::told_by_run(6 * largest_limit),
-            .reason = "the phases of both, " + reason,
-            .expected = std::numbers::pi});
-  claims.check(
+  const auto phase = [s](const Periodic& one) -> Measurement {
+    return {.value = std::abs(std::arg(one.settled.front / one.settled.rear)),
+            .told = {.limit = 2 * one.phase_limit(s)}};
+  };
+  claims.entry(0).check("antiphase",
+                        "The forces on front and rear are in antiphase where the berm is half a wavelength wide.",
+                        "phase between front and rear [rad]", phase,
+                        Bound{.limit = Amount::told_by_run(6 * largest_limit),
+                              .reason = "the phases of both, " + reason,
+                              .expected = std::numbers::pi});
+  claims.entry(0).check(
       "less-than-plain-wall",
       "The total force on a breakwater with a berm half a wavelength wide is below a tenth of the force on a plain "
       "wall.",
-      "|total|/plain wall", [](const Results& r) { return r.front().relative(); },
-      Bound{.limit = 0.1, .reason = "a tenth"});
-  claims.check(
+      "|total|/plain wall", &Periodic::relative, Bound{.limit = 0.1, .reason = "a tenth"});
+  claims.last().check(
       "together",
       "The phase between the forces of the longest waves on front and rear is zero within the errors of both, 0.12 rad "
       "at most.",
-      "phase between front and rear [rad]",
-      [s](const Results& r) -> Measurement {
-        const Periodic& longest = r.back();
-        return {.value = std::abs(std::arg(longest.settled.front / longest.settled.rear)),
-                .told = {.limit = 2 * longest.phase_limit(s)}};
-      },
+      "phase between front and rear [rad]", phase,
       Bound{.limit = Amount::told_by_run(6 * largest_limit), .reason = "the phases of both, " + reason});
 }
 
@@ -342,19 +335,9 @@ void tabulate(const Results& r, const SetUp& s, evidence::Exhibit& exhibit) {
   }
 }
 
-void draw_tank(const Periodic& one, const SetUp& s, evidence::Panel& panel) {
-  const auto relative = [&](double force) { return force / s.height; };
-  const std::vector<double> front = each(one.history.front, relative), rear = each(one.history.rear, relative);
-  std::vector<double> total = front;
-  for (std::size_t n = 0; n < total.size(); ++n) total[n] += rear[n];
-  panel.line("front", one.history.time, front, Role::computed);
-  panel.line("rear", one.history.time, rear, Role::peer);
-  panel.line("total", one.history.time, total, Role::exact);
-}
-
 void draw_loads(const Results& r, const SetUp& s, evidence::Exhibit& exhibit) {
   constexpr double shortest = 4;
-  std::vector<StandingLoad> standing = standing_loads(s.berm, s.mesh.columns(s.berm), s.mesh.rows, shortest);
+  std::vector<StandingLoad> standing = standing_loads(s.berm, s.mesh, shortest);
   std::erase_if(standing, [](const StandingLoad& one) { return one.wavelength > 17; });
   const std::vector<double> length = each(standing, &StandingLoad::wavelength);
   auto& panel = add_panel(exhibit, "loads", "Load of periodic waves",
@@ -375,10 +358,14 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
       exhibit.figure("tank", "Arrival of periodic waves",
                      "Forces on front, rear and both, over the intended height of the antinode.", {"frank-breakwater"});
   for (const Periodic* one : {&r.front(), &r.back()}) {
-    draw_tank(*one, s,
-              figure.panel({.x = "t [sqrt(depth/g)]",
-                            .y = "force/height [rho g depth]",
-                            .title = fmt::format("waves of L/h = {:.3g}", one->small.load.wavelength)}));
+    const auto relative = [&](double force) { return force / s.height; };
+    const TankHistory& history = one->history;
+    BermHistory forces{history.time, each(history.front, relative), each(history.rear, relative)};
+    std::ranges::transform(forces.front, forces.rear, std::back_inserter(forces.total), std::plus{});
+    draw_forces(figure.panel({.x = "t [sqrt(depth/g)]",
+                              .y = "force/height [rho g depth]",
+                              .title = fmt::format("waves of L/h = {:.3g}", one->small.load.wavelength)}),
+                forces);
   }
 }
 

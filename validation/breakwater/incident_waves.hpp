@@ -21,7 +21,6 @@
 #include <cstddef>
 #include <vector>
 
-#include "validation/breakwater/basin_wave.hpp"
 #include "validation/breakwater/berm_load.hpp"
 
 namespace seiche::validation {
