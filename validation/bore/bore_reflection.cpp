@@ -181,21 +181,18 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const auto published =
       claims.only_if(values.as_published("bzz-fig-15"), "the paper prints it for its own parameters");
   using Reflection = exact::BoreReflection;
-  const auto follows = [&](const std::string& id, const std::string& quantity, const std::string& column,
-                           double (*number)(const Reflection&)) {
+  const auto follows = [&](const std::string& id, const std::string& quantity, const std::string& column, auto number) {
     const double value = printed.column(column)[0];
     published.check(
         id, fmt::format("The {} that the paper prints, {:g}, follows from the jump conditions.", quantity, value),
         quantity + " [" + printed.unit(column) + "]",
-        [number](const Results& r) { return number(r.set_up.reflection()); },
+        [number](const Results& r) { return std::invoke(number, r.set_up.reflection()); },
         Bound{.limit = column == "incident_velocity" ? 0.05 : 0.005,
               .reason = "half a unit of the last printed digit",
               .expected = value});
   };
-  follows("printed-exact", "reflected depth", "reflected_depth_exact",
-          [](const Reflection& r) { return r.reflected_depth(); });
-  follows("printed-speed", "reflected speed", "reflected_speed",
-          [](const Reflection& r) { return r.reflected_speed(); });
+  follows("printed-exact", "reflected depth", "reflected_depth_exact", &Reflection::reflected_depth);
+  follows("printed-speed", "reflected speed", "reflected_speed", &Reflection::reflected_speed);
   follows("printed-velocity", "velocity behind the incident bore", "incident_velocity",
           [](const Reflection& r) { return r.incident().behind_velocity(); });
   follows("printed-incident-speed", "speed of the incident bore", "incident_speed",

@@ -98,17 +98,16 @@ struct History {
   std::vector<double> mean_energy;  ///< of particle means
   std::vector<double> work;         ///< of the piston
   std::vector<std::vector<double>> edges;
-};
 
-/// Largest deviation of the energy from the law of the jump conditions, with its time.
-Worst energy_deviation(const History& history, const exact::Bore& bore) {
-  Worst deviation;
-  for (std::size_t k = 1; k < history.time.size(); ++k) {
-    const double t = history.time[k];
-    deviation.add(history.energy[k] - history.energy[0] - history.work[k] + bore.energy_loss_rate() * t, t);
+  /// Largest deviation of the energy from the law of the jump conditions, with its time.
+  [[nodiscard]] Worst energy_deviation(const exact::Bore& bore) const {
+    Worst deviation;
+    for (std::size_t k = 1; k < time.size(); ++k) {
+      deviation.add(energy[k] - energy[0] - work[k] + bore.energy_loss_rate() * time[k], time[k]);
+    }
+    return deviation;
   }
-  return deviation;
-}
+};
 
 struct Results {
   SetUp set_up;
@@ -219,7 +218,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
       .check(
           "energy", "The energy decay equals the rate of the jump conditions to round-off.",
           "largest deviation of the two-state energy [m^4/s^3 s]",
-          [s](const Results& r) { return energy_deviation(r.history, s.bore); },
+          [s](const Results& r) { return r.history.energy_deviation(s.bore); },
           Roundoff{.operations = static_cast<double>(s.discretisation.particles) + steps,
                    .scale = initial_flow(s).energy(),
                    .reason = "energy is a sum over particles, of the size of its value; one rounding per step"});
@@ -227,22 +226,19 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const io::Table printed = values.table("bogomolov_zakharov_zerkal");
   const auto published =
       claims.only_if(values.as_published("bzz-fig-12"), "the paper prints it for its own parameters");
-  published.check(
-      "printed-speed",
-      "The bore speed from the jump conditions agrees with the printed one within half a unit of its last digit, 0.05 "
-      "m/s.",
-      "bore speed [m/s]", [](const Results& r) { return r.set_up.bore.speed(); },
-      Bound{.limit = 0.05,
-            .reason = "half a unit of the last printed digit",
-            .expected = printed.column("bore_speed")[0]});
-  published.check(
-      "printed-velocity",
-      "The velocity behind the bore from the jump conditions agrees with the printed one within half a unit of its "
-      "last digit, 0.05 m/s.",
-      "velocity behind [m/s]", [](const Results& r) { return r.set_up.bore.behind_velocity(); },
-      Bound{.limit = 0.05,
-            .reason = "half a unit of the last printed digit",
-            .expected = printed.column("bore_velocity")[0]});
+  const auto follows = [&](const std::string& id, const std::string& name, const std::string& quantity,
+                           const std::string& column, double (exact::Bore::*number)() const) {
+    published.check(
+        id,
+        fmt::format("The {} from the jump conditions agrees with the printed one within half a unit of its last digit, "
+                    "0.05 m/s.",
+                    name),
+        quantity + " [m/s]", [number](const Results& r) { return (r.set_up.bore.*number)(); },
+        Bound{.limit = 0.05, .reason = "half a unit of the last printed digit", .expected = printed.column(column)[0]});
+  };
+  follows("printed-speed", "bore speed", "bore speed", "bore_speed", &exact::Bore::speed);
+  follows("printed-velocity", "velocity behind the bore", "velocity behind", "bore_velocity",
+          &exact::Bore::behind_velocity);
 }
 
 Results compute(const Run& run) {
