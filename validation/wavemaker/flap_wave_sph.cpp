@@ -46,10 +46,12 @@ namespace seiche::validation::cases::flap_wave_sph {
 const std::string publication = literature::plunging_sph + ", figure 5";
 const std::string theory = "Kennard (1949); Dean and Dalrymple (1991), chapter 6";
 const FlapScheme as_set{"as set", [](wcsph::Settings&) {}};
-const FlapScheme more_neighbours{"Wendland kernel, h = 1.7 dx", [](wcsph::Settings& s) {
-                                   s.kernel = wcsph::KernelName::wendland_c2;
-                                   s.smoothing = 1.7;
-                                 }};
+template <double smoothing>
+void wendland(wcsph::Settings& s) {
+  s.kernel = wcsph::KernelName::wendland_c2;
+  s.smoothing = smoothing;
+}
+const FlapScheme more_neighbours{"Wendland kernel, h = 1.7 dx", wendland<1.7>};
 const std::vector<FlapScheme> suspects{
     {"artificial viscosity 0.001", [](wcsph::Settings& s) { s.viscosity = wcsph::ArtificialViscosity{0.001}; }},
     {"unresolved eddies", [](wcsph::Settings& s) { s.viscosity = wcsph::LaminarSps{}; }},
@@ -60,15 +62,8 @@ const std::vector<FlapScheme> suspects{
     {"sound speed doubled", [](wcsph::Settings& s) { s.sound_speed *= 2; }},
     {"cubic spline, h = 1.5 dx", [](wcsph::Settings& s) { s.smoothing = 1.5; }},
     {"Wendland kernel, h = 1.3 dx", [](wcsph::Settings& s) { s.kernel = wcsph::KernelName::wendland_c2; }},
-    {"Wendland kernel, h = 1.5 dx",
-     [](wcsph::Settings& s) {
-       s.kernel = wcsph::KernelName::wendland_c2;
-       s.smoothing = 1.5;
-     }},
-    {"Wendland kernel, h = 2 dx", [](wcsph::Settings& s) {
-       s.kernel = wcsph::KernelName::wendland_c2;
-       s.smoothing = 2;
-     }}};
+    {"Wendland kernel, h = 1.5 dx", wendland<1.5>},
+    {"Wendland kernel, h = 2 dx", wendland<2.0>}};
 
 /// Linear theory at the places and instants at which the elevation is read.
 struct Theory {
@@ -83,8 +78,8 @@ struct Theory {
 };
 
 Theory theory_of(const FlapDesign& design) {
-  const exact::WavemakerTransient start = exact::WavemakerTransient(exact::Paddle::flap, {flap_gravity, design.depth},
-                                                                    exact::Period{design.period}, design.stroke);
+  const exact::WavemakerTransient start(exact::Paddle::flap, {flap_gravity, design.depth}, exact::Period{design.period},
+                                        design.stroke);
   Theory linear;
   for (long n = 0; n <= std::lround(flap_periods * samples_per_period); ++n) {
     const double t = design.period * static_cast<double>(n) / samples_per_period;
@@ -148,12 +143,10 @@ Results compute(const Run& run) {
     return part.result<FlapWaves>([&] { return make_flap_waves(run, design, layers, scheme, may_break, part); });
   };
   climb(run, changed + 2 * sizes, [&](std::size_t k) {
+    const std::size_t size = k < changed ? 0 : (k - changed) / 2;
     if (k < changed) {
-      r.suspects[k] = waves(ladder.front(), suspects[k], true);
-      return;
-    }
-    const std::size_t size = (k - changed) / 2;
-    if ((k - changed) % 2 == 0) {
+      r.suspects[k] = waves(ladder[size], suspects[k], true);
+    } else if ((k - changed) % 2 == 0) {
       r.runs[size] = waves(ladder[size], as_set, false);
     } else {
       r.wide[size] = waves(ladder[size], more_neighbours, false);
@@ -162,17 +155,14 @@ Results compute(const Run& run) {
   return r;
 }
 
-/// Resolutions of the finest lattices.
-std::string by_set(const Results& r) {
-  return r.runs.back().resolution();
-}
-std::string by_more(const Results& r) {
-  return r.wide.back().resolution();
+/// Resolution of the finest lattice.
+auto by(std::vector<FlapWaves> Results::*runs) {
+  return [runs](const Results& r) { return (r.*runs).back().resolution(); };
 }
 
 void claim_scheme(const Claims<Results>& all, const std::string& id, const FlapScheme& scheme,
                   std::vector<FlapWaves> Results::*runs, const Theory& linear) {
-  const auto claims = all.at([runs](const Results& r) { return (r.*runs).back().resolution(); });
+  const auto claims = all.at(by(runs));
   claims.check(
       "beside-flap" + id,
       fmt::format("The height of the second wave beside the flap agrees with the exact transient ({}).", scheme.name),
@@ -191,7 +181,7 @@ void claim_scheme(const Claims<Results>& all, const std::string& id, const FlapS
 }
 
 void claim_loss(const Claims<Results>& all, const Theory& linear, const Values& values) {
-  const auto claims = all.at(by_more);
+  const auto claims = all.at(by(&Results::wide));
   // FlapWaves are highest, and linear theory errs most, beside the flap.
   const double nonlinear = linear.steepness(beside_flap);
   claims.check(
@@ -202,8 +192,9 @@ void claim_loss(const Claims<Results>& all, const Theory& linear, const Values& 
       "fraction of height lost between flap and gauge, against the exact transient",
       [](const Results& r) { return r.loss(r.wide.back()); },
       Bound{.limit = nonlinear, .reason = "nonlinearity: k H/2 beside the flap, where waves are highest"});
-  const auto few = all.at(by_set).only_if(values.text("kernel") == "cubic_spline" && values.real("smoothing") <= 1.3,
-                                          "stated for the publication's kernel and number of neighbours");
+  const auto few = all.at(by(&Results::runs))
+                       .only_if(values.text("kernel") == "cubic_spline" && values.real("smoothing") <= 1.3,
+                                "stated for the publication's kernel and number of neighbours");
   few.check(
       "loss", "The loss of wave height with the publication's 21 neighbours exceeds the nonlinearity k H/2.",
       "exceeds the nonlinearity", [nonlinear](const Results& r) { return r.loss(r.runs.back()) > nonlinear; },
@@ -211,7 +202,7 @@ void claim_loss(const Claims<Results>& all, const Theory& linear, const Values& 
           .detector = "fraction of height lost between flap and gauge above k H/2",
           .reason = "the viscosity of the settings, 0.08 alpha c h, dissipates 1 % of the height over this distance"});
   const double wider = 1.7 / values.real("smoothing");
-  few.at(by_more)
+  few.at(by(&Results::wide))
       .only_if(values.real("smoothing") >= 1.25,
                "shells of fewer neighbours are not proportional to the area of the support")
       .check(
@@ -264,7 +255,7 @@ void claim_design(const Claims<Results>& all, const FlapDesign& design) {
     return [period](const Results& r) { return 1 - r.heights(r.runs.back())[period] / height; };
   };
   const auto claims =
-      all.at(by_set)
+      all.at(by(&Results::runs))
           .only_if(design.depth == 4 && design.period == 4.7 && design.stroke == 2.11 && design.gauge == 27.3,
                    "stated for the publication's wave")
           .from(publication);
@@ -286,16 +277,17 @@ void claims(const Values& values, const Claims<Results>& claims) {
   claim_variants(claims, values);
   claim_design(claims, flap_design(values));
   const Theory linear = theory_of(flap_design(values));
-  claims.at(by_more).check(
-      "second-transient",
-      fmt::format("The height of the second wave at the gauge agrees with the exact transient ({}).",
-                  more_neighbours.name),
-      "height from crest to trough during the second period [m]",
-      [](const Results& r) { return r.heights(r.wide.back())[1]; },
-      Bound{.limit = linear.steepness(at_gauge),
-            .reason = "nonlinearity: k H/2 of this wave, a tenth for the published one",
-            .expected = linear.heights[at_gauge][1],
-            .relative = true});
+  claims.at(by(&Results::wide))
+      .check(
+          "second-transient",
+          fmt::format("The height of the second wave at the gauge agrees with the exact transient ({}).",
+                      more_neighbours.name),
+          "height from crest to trough during the second period [m]",
+          [](const Results& r) { return r.heights(r.wide.back())[1]; },
+          Bound{.limit = linear.steepness(at_gauge),
+                .reason = "nonlinearity: k H/2 of this wave, a tenth for the published one",
+                .expected = linear.heights[at_gauge][1],
+                .relative = true});
   claim_loss(claims, linear, values);
   claim_scheme(claims, "", as_set, &Results::runs, linear);
   claim_scheme(claims, "-more", more_neighbours, &Results::wide, linear);
@@ -306,21 +298,6 @@ void claims(const Values& values, const Claims<Results>& claims) {
       [](const Results& r) { return r.linear.heights[at_gauge][1] < 0.92 * r.linear.settled_height; },
       Qualitative{.detector = "height of the second wave below 0.92 of the settled one",
                   .reason = "the front of the wave train disperses"});
-}
-
-void show_numbers(const Results& r, evidence::Exhibit& exhibit) {
-  const Theory& linear = r.linear;
-  const double transient = linear.heights[at_gauge][1];
-  const auto measure = [&](const std::string& id, const std::vector<FlapWaves>& runs) {
-    const FlapWaves& finest = runs.back();
-    exhibit.measure("second_wave_over_transient" + id, r.heights(finest)[1] / transient);
-    exhibit.measure("largest_mach_number" + id, finest.extremes.mach);
-    exhibit.measure("steps" + id, static_cast<double>(finest.steps));
-    measure_convergence(exhibit, "second_wave" + id, each(runs, &FlapWaves::spacing),
-                        each(runs, [&](const FlapWaves& one) { return r.heights(one)[1]; }));
-  };
-  measure("", r.runs);
-  measure("_more_neighbours", r.wide);
 }
 
 void tabulate_heights(const Results& r, evidence::Exhibit& exhibit) {
@@ -393,7 +370,15 @@ void draw(const Results& r, evidence::Exhibit& exhibit) {
 }
 
 void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
-  show_numbers(r, exhibit);
+  for (const auto& [id, runs] : {std::pair{"", &r.runs}, std::pair{"_more_neighbours", &r.wide}}) {
+    const FlapWaves& finest = runs->back();
+    const auto second = [&](const FlapWaves& one) { return r.heights(one)[1]; };
+    exhibit.measure(fmt::format("second_wave_over_transient{}", id), second(finest) / r.linear.heights[at_gauge][1]);
+    exhibit.measure(fmt::format("largest_mach_number{}", id), finest.extremes.mach);
+    exhibit.measure(fmt::format("steps{}", id), static_cast<double>(finest.steps));
+    measure_convergence(exhibit, fmt::format("second_wave{}", id), each(*runs, &FlapWaves::spacing),
+                        each(*runs, second));
+  }
   tabulate_heights(r, exhibit);
   tabulate_loss(r, exhibit);
   draw(r, exhibit);

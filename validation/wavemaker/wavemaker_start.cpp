@@ -49,11 +49,10 @@ void show(const exact::WavemakerTransient& start, const Values& values, evidence
   exhibit.measure("reference_uncertainty", start.uncertainty());
   exhibit.measure("wave_height", start.steady().wave_height());
   exhibit.measure("wavelength", start.steady().wavelength());
-  auto& panel =
-      add_panel(exhibit, "gauge", "Elevation at the gauge",
-                fmt::format("{:.4g} m from the paddle: the start from rest, and the settled wave.", gauge_of(values)),
-                {.x = "t [s]", .y = "elevation [m]"});
   const double gauge = gauge_of(values);
+  auto& panel = add_panel(exhibit, "gauge", "Elevation at the gauge",
+                          fmt::format("{:.4g} m from the paddle: the start from rest, and the settled wave.", gauge),
+                          {.x = "t [s]", .y = "elevation [m]"});
   const std::vector<double> times = times_of(values);
   panel.line("start from rest", times, each(times, [&](double t) { return start.elevation(gauge, t); }), Role::exact);
   panel.line("settled", times, each(times, [&](double t) { return start.steady().elevation(gauge, t); }), Role::guide);
