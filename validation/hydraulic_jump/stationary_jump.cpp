@@ -36,7 +36,6 @@ struct SetUp {
   StationaryJump jump;
   FlowProblem problem;
   Discretisation discretisation;
-  long steps;
   double time;
   Front front;
 };
@@ -47,19 +46,12 @@ SetUp set_up(const Values& values) {
   const StationaryJump jump(gravity, values.real("shallow_depth"), values.real("deep_depth"), place);
   const Discretisation discretisation{
       .scheme = "H2", .particles = values.integer("particles"), .time_step = values.real("time_step"), .theta = 1.5};
-  const long steps = values.integer("steps");
   return {jump,
           problem_of(jump, gravity, 0, length, {place}, FlowProblem::End::stream, FlowProblem::End::stream),
           discretisation,
-          steps,
-          static_cast<double>(steps) * discretisation.time_step,
+          values.number("steps") * discretisation.time_step,
           {.behind = jump.upstream().depth, .ahead = jump.downstream().depth, .position = place, .reach = 30}};
 }
-
-struct Results {
-  SetUp set_up;
-  ParticleFigure figure;
-};
 
 void draw_sketches(evidence::Exhibit& exhibit, const FlowProblem& problem, const StationaryJump& jump) {
   const ProfileCurve curve = exact_curve(problem, 0, length, 0);
@@ -79,26 +71,25 @@ void draw_sketches(evidence::Exhibit& exhibit, const FlowProblem& problem, const
              problem, 0);
 }
 
-void claims(const Values& values, const Claims<Results>& claims) {
+void claims(const Values& values, const Claims<ParticleFigure>& claims) {
   const SetUp s = set_up(values);
-  const auto figure = claims.of(&Results::figure);
-  const auto flow = figure.of(&ParticleFigure::flow);
+  const auto flow = claims.of(&ParticleFigure::flow);
   claim_conservation(flow, s.problem, s.discretisation, s.time);
   claim_exact_profile(flow, s.jump.downstream().depth, s.discretisation, s.time);
   claim_single_particle(flow, s.front);
-  claim_as_written(figure.of(&ParticleFigure::as_written), values, "bzz-fig-18", s.problem, s.discretisation, s.time,
+  claim_as_written(claims.of(&ParticleFigure::as_written), values, "bzz-fig-18", s.problem, s.discretisation, s.time,
                    s.front.ahead - s.front.behind, &s.front, {{"cell_l1_h", 0.0304586}, {"front", 1.16668}});
 }
 
-Results compute(const Run& run) {
+ParticleFigure compute(const Run& run) {
   const SetUp s = set_up(run);
-  return {s, compute_figure(run, s.problem, s.discretisation, {0, 0.5 * s.time, s.time}, s.front)};
+  return compute_figure(run, s.problem, s.discretisation, {0, 0.5 * s.time, s.time}, s.front);
 }
 
-void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
-  const SetUp& s = r.set_up;
+void show(const ParticleFigure& figure, const Values& values, evidence::Exhibit& exhibit) {
+  const SetUp s = set_up(values);
   draw_sketches(exhibit, s.problem, s.jump);
-  show_figure(r.figure, exhibit, "Particles passing a stationary jump", {"bzz-fig-18"});
+  show_figure(figure, exhibit, "Particles passing a stationary jump", {"bzz-fig-18"});
 }
 
 void stationary_jump(Case& c) {
