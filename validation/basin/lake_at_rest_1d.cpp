@@ -31,13 +31,10 @@ namespace model = dispersive_shallow_water_1d;
 
 constexpr double length = 20;
 
-class Random {
- public:
-  explicit Random(long seed) : engine_(static_cast<std::minstd_rand::result_type>(seed)) {}
-  double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine_); }
+struct Random {
+  std::minstd_rand engine;
 
- private:
-  std::minstd_rand engine_;
+  double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(engine); }
 };
 
 /// Ascending places from `begin` to `end` whose distances vary by a factor of five about `mean`.
@@ -80,7 +77,7 @@ Lake smooth_lake(Random& random, double spacing, double roughness, bool periodic
 }
 
 std::vector<Lake> lakes(const Values& values) {
-  Random random(values.integer("seed"));
+  Random random{std::minstd_rand(static_cast<std::minstd_rand::result_type>(values.integer("seed")))};
   const double h = values.real("h");
   const double roughness = values.real("roughness");
   return {broken_lake(random, h, roughness), smooth_lake(random, h, roughness, false),
@@ -144,41 +141,23 @@ struct OfLake {
     for (const Unrest& unrest : by_scheme) all.include(unrest);
     return all;
   }
+  [[nodiscard]] std::string resolution() const { return fmt::format("{} nodes, {} steps", markers, largest().steps); }
 };
-
-void draw(evidence::Exhibit& exhibit, const std::vector<Lake>& lakes) {
-  auto& figure = exhibit.figure("lakes", "The lakes", "Beds, still water, and the surface nodes.");
-  for (const Lake& lake : lakes) {
-    if (lake.channel.periodic()) continue;
-    const bool shore = lake.channel.right == model::End::tip;
-    const std::vector<double> x = evenly(-length, shore ? 2 : 0, 881);
-    const auto bed = each(x, [&](double at) { return lake.channel.bottom->elevation(at); });
-    const auto surface = each(bed, [](double level) { return level > 0 ? level : 0.0; });
-    auto& panel = figure.panel({.x = "x", .y = "elevation", .title = lake.name});
-    panel.fill("water", x, surface, Role::water);
-    panel.fill("bottom", x, bed, Role::bed);
-    panel.points("markers", lake.markers, std::vector<double>(lake.markers.size(), 0.0), Role::computed);
-  }
-}
 
 void claims(const Values& values, const Claims<std::vector<OfLake>>& claims) {
   const std::vector<Lake> all = lakes(values);
   for (std::size_t k = 0; k < all.size(); ++k) {
+    const auto of = claims.entry(k).at(&OfLake::resolution).from("heights counted from the still-water level");
     const auto exactly_zero = [&](const std::string& id, const std::string& text, const std::string& quantity,
-                                  const std::string& unit, Worst Unrest::*of) {
-      claims
-          .at([k](const std::vector<OfLake>& r) {
-            return fmt::format("{} nodes, {} steps", r.at(k).markers, r[k].largest().steps);
-          })
-          .from("heights counted from the still-water level")
-          .check(
-              all[k].id + "-" + id, fmt::format("{} ({}).", text, all[k].name), fmt::format("{} [{}]", quantity, unit),
-              [k, of](const std::vector<OfLake>& r) { return (r.at(k).largest().*of).value(); },
-              Bound{0, "every force is a product with an elevation, which is zero"});
+                                  Worst Unrest::*member) {
+      of.check(
+          all[k].id + "-" + id, fmt::format("{} ({}).", text, all[k].name), quantity,
+          [member](const OfLake& lake) { return (lake.largest().*member).value(); },
+          Bound{0, "every force is a product with an elevation, which is zero"});
     };
-    exactly_zero("velocity", "Velocities of water at rest are zero", "largest rate", "(g H)^(1/2)", &Unrest::velocity);
-    exactly_zero("elevation", "Elevations of water at rest are zero", "largest elevation", "H", &Unrest::elevation);
-    exactly_zero("displacement", "Displacements of nodes in water at rest are zero", "largest displacement", "H",
+    exactly_zero("velocity", "Velocities of water at rest are zero", "largest rate [(g H)^(1/2)]", &Unrest::velocity);
+    exactly_zero("elevation", "Elevations of water at rest are zero", "largest elevation [H]", &Unrest::elevation);
+    exactly_zero("displacement", "Displacements of nodes in water at rest are zero", "largest displacement [H]",
                  &Unrest::displacement);
   }
 }
@@ -209,14 +188,22 @@ void show(const std::vector<OfLake>& r, const Values& values, evidence::Exhibit&
   evidence::Table& table =
       add_table(exhibit, "unrest", "Largest values at any step", "Over all nodes and both kinetic energies.",
                 {"lake", "scheme", "steps [1]", "velocity [(g H)^(1/2)]", "elevation [H]", "displacement [H]"});
+  auto& figure = exhibit.figure("lakes", "The lakes", "Beds, still water, and the surface nodes.");
   for (std::size_t k = 0; k < all.size(); ++k) {
+    const Lake& lake = all[k];
     for (std::size_t j = 0; j < named.size(); ++j) {
       const Unrest& unrest = r[k].by_scheme[j];
-      table.rows.push_back({all[k].name, named[j].name, static_cast<double>(unrest.steps), unrest.velocity.value(),
+      table.rows.push_back({lake.name, named[j].name, static_cast<double>(unrest.steps), unrest.velocity.value(),
                             unrest.elevation.value(), unrest.displacement.value()});
     }
+    if (lake.channel.periodic()) continue;
+    const std::vector<double> x = evenly(-length, lake.channel.right == model::End::tip ? 2 : 0, 881);
+    const auto bed = each(x, [&](double at) { return lake.channel.bottom->elevation(at); });
+    auto& panel = figure.panel({.x = "x", .y = "elevation", .title = lake.name});
+    panel.fill("water", x, each(bed, [](double level) { return level > 0 ? level : 0.0; }), Role::water);
+    panel.fill("bottom", x, bed, Role::bed);
+    panel.points("markers", lake.markers, std::vector<double>(lake.markers.size(), 0.0), Role::computed);
   }
-  draw(exhibit, all);
 }
 
 void lake_at_rest_1d(Case& c) {

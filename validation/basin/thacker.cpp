@@ -47,34 +47,42 @@ struct Motion {
   std::vector<double> edges, depth;
 };
 
-Motion by_particles(const exact::Thacker& bowl, double gravity, long n, double end, particles::Level level,
-                    const Run::Progress& progress) {
-  const auto depth = [&](double x) { return bowl.at(x, 0).depth; };
-  particles::ParticleFlow flow(
-      particles::particles_from_profile(
-          particles::equal_width_edges(bowl.left_shoreline(0), bowl.right_shoreline(0), static_cast<std::size_t>(n)),
-          depth, [](double) { return 0.0; }),
-      {.left = particles::Vacuum{}, .right = particles::Vacuum{}}, {.gravity = gravity, .bed = bowl.bed()},
-      {.level = level});
-  const particles::Array start = flow.particles().edge;
-  Motion motion;
+/// Steps to the end, after each of which the shorelines are noted. @param step  the longest of the flow
+template <class Flow, class Step, class Shorelines>
+void run_to(double end, Flow& flow, Motion& motion, Step step, Shorelines shorelines, const Run& run) {
   const auto note = [&] {
+    const auto [left, right] = shorelines();
     motion.time.push_back(flow.time());
-    motion.left.push_back(flow.particles().edge.front());
-    motion.right.push_back(flow.particles().edge.back());
+    motion.left.push_back(left);
+    motion.right.push_back(right);
   };
   note();
   while (flow.time() < end * (1 - 1e-12)) {
-    flow.advance(std::min(flow.largest_step().tau, end - flow.time()));
+    flow.advance(std::min(step(), end - flow.time()));
     note();
-    progress(flow.time() / end);
+    run.progress(flow.time() / end);
   }
+  motion.mass_defect = flow.mass_defect();
+}
+
+Motion by_particles(const exact::Thacker& bowl, double end, particles::Level level, const Run& run) {
+  const auto depth = [&](double x) { return bowl.at(x, 0).depth; };
+  particles::ParticleFlow flow(
+      particles::particles_from_profile(
+          particles::equal_width_edges(bowl.left_shoreline(0), bowl.right_shoreline(0), run.count("particles")), depth,
+          [](double) { return 0.0; }),
+      {.left = particles::Vacuum{}, .right = particles::Vacuum{}}, {.gravity = run.real("gravity"), .bed = bowl.bed()},
+      {.level = level});
+  const particles::Array start = flow.particles().edge;
+  Motion motion;
+  run_to(
+      end, flow, motion, [&] { return flow.largest_step().tau; },
+      [&] { return std::pair(flow.particles().edge.front(), flow.particles().edge.back()); }, run);
   const auto& now = flow.particles();
   for (std::size_t k = 0; k < start.size(); ++k) {
     motion.edge_error.add(now.edge[k] - bowl.carried(start[k], end), start[k]);
   }
   for (const double u : now.velocity) motion.velocity_error.add(u - bowl.velocity(end));
-  motion.mass_defect = flow.mass_defect();
   motion.edges.assign(now.edge.begin(), now.edge.end());
   for (std::size_t i = 0; i < now.size(); ++i) motion.depth.push_back(now.depth(i));
   return motion;
@@ -92,37 +100,27 @@ std::pair<double, double> wet_stretch(std::span<const double> edges, std::span<c
   return stretch;
 }
 
-Motion by_cells(const exact::Thacker& bowl, double gravity, double length, double wet_depth, long n, double end,
-                const Run::Progress& progress) {
-  const std::vector<double> edges = evenly(0, length, static_cast<int>(n) + 1);
-  const std::vector<double> depth =
-      each(validation::cell_averages(bowl, edges, 0), [&](const validation::CellMean& mean) { return mean.depth; });
-  shallow_water_finite_volume::FiniteVolumeFlow::Settings settings;
-  settings.gravity = gravity;
-  shallow_water_finite_volume::FiniteVolumeFlow flow(settings, 0, length, depth, std::vector<double>(depth.size()),
-                                                     bowl.bed());
-  Motion motion;
-  const auto note = [&] {
-    const auto [left, right] = wet_stretch(edges, flow.depth(), wet_depth);
-    motion.time.push_back(flow.time());
-    motion.left.push_back(left);
-    motion.right.push_back(right);
-  };
-  note();
-  while (flow.time() < end * (1 - 1e-12)) {
-    flow.advance(std::min(0.4 / flow.courant_number(1.0), end - flow.time()));
-    note();
-    progress(flow.time() / end);
-  }
-  motion.mass_defect = flow.mass_defect();
-  motion.edges = edges;
-  motion.depth.assign(flow.depth().begin(), flow.depth().end());
-  return motion;
-}
-
 /// The channel is a little longer than the water ever reaches.
 double channel_length(const Values& values) {
   return 2 * (values.real("radius") + values.real("displacement")) * 1.25;
+}
+
+Motion by_cells(const exact::Thacker& bowl, double end, const Run& run) {
+  const double length = channel_length(run);
+  const std::vector<double> edges = evenly(0, length, static_cast<int>(run.integer("particles")) + 1);
+  const std::vector<double> depth =
+      each(validation::cell_averages(bowl, edges, 0), [&](const validation::CellMean& mean) { return mean.depth; });
+  shallow_water_finite_volume::FiniteVolumeFlow::Settings settings;
+  settings.gravity = run.real("gravity");
+  shallow_water_finite_volume::FiniteVolumeFlow flow(settings, 0, length, depth, std::vector<double>(depth.size()),
+                                                     bowl.bed());
+  Motion motion;
+  run_to(
+      end, flow, motion, [&] { return 0.4 / flow.courant_number(1.0); },
+      [&] { return wet_stretch(edges, flow.depth(), 1e-3 * run.real("depth")); }, run);
+  motion.edges = edges;
+  motion.depth.assign(flow.depth().begin(), flow.depth().end());
+  return motion;
 }
 
 exact::Thacker bowl_of(const Values& values) {
@@ -132,12 +130,6 @@ exact::Thacker bowl_of(const Values& values) {
 
 double end_of(const Values& values) {
   return values.real("periods") * bowl_of(values).period();
-}
-
-/// Particles share the water, cells the whole bowl.
-double cell_of(const Values& values) {
-  const double length = values.text("scheme") == "muscl" ? channel_length(values) : 2 * values.real("radius");
-  return length / values.number("particles");
 }
 
 struct Shoreline {
@@ -161,8 +153,10 @@ void claims(const Values& values, const Claims<Motion>& claims) {
   const exact::Thacker bowl = bowl_of(values);
   const std::string& scheme = values.text("scheme");
   const double displacement = values.real("displacement");
-  const double cell = cell_of(values);
   const long n = values.integer("particles");
+  // Particles share the water, cells the whole bowl.
+  const double length = scheme == "muscl" ? channel_length(values) : 2 * values.real("radius");
+  const double cell = length / values.number("particles");
   const auto at = claims.at(fmt::format("{}, N = {}", scheme, n));
   // The deepest water at its fastest, at a tenth of the Courant number 0.4.
   const double fastest =
@@ -195,37 +189,29 @@ void claims(const Values& values, const Claims<Motion>& claims) {
 }
 
 Motion compute(const Run& run) {
-  const double gravity = run.real("gravity");
-  const long n = run.integer("particles");
   const std::string& scheme = run.text("scheme");
-  const exact::Thacker bowl = bowl_of(run);
-  const auto progress = [&](double done) { run.progress(done); };
-  if (scheme == "muscl") {
-    return by_cells(bowl, gravity, channel_length(run), 1e-3 * run.real("depth"), n, end_of(run), progress);
-  }
+  if (scheme == "muscl") return by_cells(bowl_of(run), end_of(run), run);
   const particles::Level level = scheme == "G1"   ? particles::Level::godunov
                                  : scheme == "M2" ? particles::Level::muscl
                                                   : particles::Level::hand_over;
-  return by_particles(bowl, gravity, n, end_of(run), level, progress);
+  return by_particles(bowl_of(run), end_of(run), level, run);
 }
 
 void draw_shorelines(evidence::Exhibit& exhibit, const Motion& motion, const exact::Thacker& bowl,
-                     const std::string& scheme) {
+                     const std::string& scheme, Role role) {
   auto& panel = add_panel(exhibit, "shorelines", "The two shorelines", "Against time, with the exact motion.",
                           {.x = "t [s]", .y = "x [m]"});
-  const Role role = scheme == "muscl" ? Role::peer : Role::computed;
   for (const Shoreline& shoreline : shorelines) {
-    const std::vector<double> exact = each(motion.time, [&](const double t) { return (bowl.*shoreline.exact)(t); });
-    panel.line(shoreline.side == "left" ? "exact" : "", motion.time, exact, Role::exact);
+    panel.line(shoreline.side == "left" ? "exact" : "", motion.time,
+               each(motion.time, [&](const double t) { return (bowl.*shoreline.exact)(t); }), Role::exact);
   }
   for (const Shoreline& shoreline : shorelines) {
     panel.points(shoreline.side == "left" ? scheme : "", motion.time, motion.*shoreline.computed, role);
   }
 }
 
-void draw_bowl(evidence::Exhibit& exhibit, const Motion& motion, const Values& values) {
-  const exact::Thacker bowl = bowl_of(values);
-  const std::string& scheme = values.text("scheme");
+void draw_bowl(evidence::Exhibit& exhibit, const Motion& motion, const exact::Thacker& bowl, const Values& values,
+               Role role) {
   const std::vector<double> x = evenly(0, channel_length(values), 201);
   const auto bed = [&](double at) { return bowl.elevation(at); };
   const auto surface = [&](double at) { return bowl.at(at, end_of(values)).depth + bed(at); };
@@ -242,7 +228,7 @@ void draw_bowl(evidence::Exhibit& exhibit, const Motion& motion, const Values& v
     centre.push_back(0.5 * (a + b));
     level.push_back(motion.depth[i] + (bowl_bed.primitive(b) - bowl_bed.primitive(a)) / (b - a));
   }
-  panel.points(scheme, centre, level, scheme == "muscl" ? Role::peer : Role::computed);
+  panel.points(values.text("scheme"), centre, level, role);
 }
 
 void show(const Motion& motion, const Values& values, evidence::Exhibit& exhibit) {
@@ -251,8 +237,9 @@ void show(const Motion& motion, const Values& values, evidence::Exhibit& exhibit
   exhibit.measure("velocity_error", motion.velocity_error.value());
   exhibit.measure("period", bowl.period());
   exhibit.measure("angular_frequency", bowl.angular_frequency());
-  draw_shorelines(exhibit, motion, bowl, values.text("scheme"));
-  draw_bowl(exhibit, motion, values);
+  const Role role = values.text("scheme") == "muscl" ? Role::peer : Role::computed;
+  draw_shorelines(exhibit, motion, bowl, values.text("scheme"), role);
+  draw_bowl(exhibit, motion, bowl, values, role);
 }
 
 /// Gauges in the middle and half-way to either shoreline at rest, and the shorelines as series.
