@@ -20,28 +20,19 @@ Try `--set p0=-0.1 --set half_width=6.5 --set time=800`: no soliton at all.
 
 namespace seiche::validation::cases::moving_pressure_1d {
 
-struct SetUp {
-  PressureSource source;
-  PressureRun run;
-};
-
-SetUp set_up(const Values& values) {
+std::pair<PressureSource, PressureRun> set_up(const Values& values) {
   return {
       {.pressure = values.real("p0"), .half_width = values.real("half_width"), .speed = values.real("speed")},
       {.time = values.real("time"), .spacing = values.real("h"), .tau = values.real("tau_over_h") * values.real("h")}};
 }
 
-/// Sources of pressure that are known to send a soliton ahead in time.
-bool sends_soliton(const PressureSource& source, double time) {
-  return source.pressure >= 0.1 && source.speed >= 0.95 && source.speed <= 1 && source.half_width >= 1 &&
-         source.half_width <= 8 && time >= 100;
-}
-
 void claims(const Values& values, const Claims<PressureWaves>& claims) {
   const auto [source, run] = set_up(values);
   const auto regime = pressure_regime_of(source, run);
+  const bool known = source.pressure >= 0.1 && source.speed >= 0.95 && source.speed <= 1 && source.half_width >= 1 &&
+                     source.half_width <= 8 && run.time >= 100;
   claim_leading_soliton(
-      claims.only_if(regime ? regime->solitons : sends_soliton(source, run.time),
+      claims.only_if(regime ? regime->solitons : known,
                      "the number of escaped solitons is known for pressure p0 >= 0.1 with half-widths from 1 to 8 at "
                      "speeds from 0.95 to 1 and t >= 100, and for the regimes of moving_pressure_regimes"),
       "leader", source, run);
@@ -54,8 +45,8 @@ void claims(const Values& values, const Claims<PressureWaves>& claims) {
 }
 
 PressureWaves compute(const Run& run) {
-  const SetUp s = set_up(run);
-  return {s.source, s.run, [&](double part) { run.progress(part); }};
+  const auto [source, resolution] = set_up(run);
+  return {source, resolution, [&](double part) { run.progress(part); }};
 }
 
 void show(const PressureWaves& waves, const Values& values, evidence::Exhibit& exhibit) {

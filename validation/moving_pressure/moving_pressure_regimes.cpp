@@ -34,14 +34,6 @@ struct Results {
   std::optional<PressureWaves> fine;  ///< the last of the main ones with half the spacing and half the step
 };
 
-std::vector<PressureRegime> regimes_of(const Values& values) {
-  std::vector<PressureRegime> regimes = main_pressure_regimes();
-  if (values.tier() != Tier::quick) {
-    for (const PressureRegime& regime : more_pressure_regimes()) regimes.push_back(regime);
-  }
-  return regimes;
-}
-
 constexpr std::size_t wide_suction = 2;  // of the regimes
 
 PressureRun run_of(const Values& values, double time, double fineness = 1) {
@@ -49,25 +41,8 @@ PressureRun run_of(const Values& values, double time, double fineness = 1) {
   return {.time = time, .spacing = h, .tau = values.real("tau_over_h") * h};
 }
 
-/// The regime is the model's, not the resolution's.
-void claim_resolved(const Claims<PressureWaves>& fine, const Claims<Results>& claims) {
-  claims.check(
-      "resolved", "The period under the wide suction changes by less than 1 % with half the spacing and half the step.",
-      "period / period at twice the spacing",
-      [](const Results& r) { return r.fine.value().period().length / r.regimes[wide_suction].waves.period().length; },
-      Bound{.limit = 0.01,
-            .reason = "the celerity error of waves of wavenumber 1 is h^2/36 and tau^2/24, together 2e-3; the period "
-                      "depends on celerities relative to the source, which are several times smaller",
-            .expected = 1});
-  fine.check("resolved-none-ahead", "The number of solitons ahead of the pressure is zero.", "forward solitons present",
-             solitons_ahead,
-             Qualitative{.detector = "a peak above 0.03 beyond the front of the source at the end",
-                         .reason = "as above",
-                         .expected = false});
-}
-
 void claims(const Values& values, const Claims<Results>& claims) {
-  const std::vector<PressureRegime> regimes = regimes_of(values);
+  const std::vector<PressureRegime> regimes = pressure_regimes(values.tier() != Tier::quick);
   for (std::size_t k = 0; k < regimes.size(); ++k) {
     const PressureRegime& regime = regimes[k];
     const PressureRun run = run_of(values, regime.time);
@@ -79,11 +54,25 @@ void claims(const Values& values, const Claims<Results>& claims) {
   }
   const auto fine = claims.only_if(values.tier() != Tier::quick, "half the spacing is computed in the tier full")
                         .at(run_of(values, regimes[wide_suction].time, 2).text());
-  claim_resolved(fine.of([](const Results& r) -> const PressureWaves& { return r.fine.value(); }), fine);
+  // The regime is the model's, not the resolution's.
+  fine.check(
+      "resolved", "The period under the wide suction changes by less than 1 % with half the spacing and half the step.",
+      "period / period at twice the spacing",
+      [](const Results& r) { return r.fine.value().period().length / r.regimes[wide_suction].waves.period().length; },
+      Bound{.limit = 0.01,
+            .reason = "the celerity error of waves of wavenumber 1 is h^2/36 and tau^2/24, together 2e-3; the period "
+                      "depends on celerities relative to the source, which are several times smaller",
+            .expected = 1});
+  fine.check(
+      "resolved-none-ahead", "The number of solitons ahead of the pressure is zero.", "forward solitons present",
+      [](const Results& r) { return solitons_ahead(r.fine.value()); },
+      Qualitative{.detector = "a peak above 0.03 beyond the front of the source at the end",
+                  .reason = "as above",
+                  .expected = false});
 }
 
 Results compute(const Run& run) {
-  const std::vector<PressureRegime> regimes = regimes_of(run);
+  const std::vector<PressureRegime> regimes = pressure_regimes(run.tier() != Tier::quick);
   // A part of the work is as the square of the time: a longer run has a longer channel too.
   double whole = 0;
   for (const PressureRegime& regime : regimes) whole += regime.time * regime.time;
@@ -100,19 +89,6 @@ Results compute(const Run& run) {
     results.fine.emplace(wide.source, run_of(run, wide.time, 2), [](double) {});
   }
   return results;
-}
-
-void tabulate(evidence::Exhibit& exhibit, const std::vector<Computed>& computed) {
-  evidence::Table& table = add_table(exhibit, "regimes", "Sources at the critical speed",
-                                     "Solitons ahead at the end and period at the source.",
-                                     {"regime", "p0 [rho g H]", "w [H]", "time [(H/g)^(1/2)]", "solitons [1]",
-                                      "highest ahead, ever [H]", "period [(H/g)^(1/2)]"});
-  for (const Computed& one : computed) {
-    const PressureRegime& regime = one.regime;
-    const PressureWaves& waves = one.waves;
-    table.rows.push_back({regime.name, regime.source.pressure, regime.source.half_width, regime.time,
-                          waves.soliton_count(soliton_threshold), waves.maximum_ahead_ever(), waves.period().length});
-  }
 }
 
 void draw(evidence::Exhibit& exhibit, const std::vector<Computed>& computed) {
@@ -132,10 +108,15 @@ void draw(evidence::Exhibit& exhibit, const std::vector<Computed>& computed) {
 }
 
 void show(const Results& results, const Values& /*values*/, evidence::Exhibit& exhibit) {
+  evidence::Table& table = add_table(exhibit, "regimes", "Sources at the critical speed",
+                                     "Solitons ahead at the end and period at the source.",
+                                     {"regime", "p0 [rho g H]", "w [H]", "time [(H/g)^(1/2)]", "solitons [1]",
+                                      "highest ahead, ever [H]", "period [(H/g)^(1/2)]"});
   for (const auto& [regime, waves] : results.regimes) {
     show_pressure_waves(exhibit, regime.id + "_", regime.id + "-leader", waves, soliton_threshold);
+    table.rows.push_back({regime.name, regime.source.pressure, regime.source.half_width, regime.time,
+                          waves.soliton_count(soliton_threshold), waves.maximum_ahead_ever(), waves.period().length});
   }
-  tabulate(exhibit, results.regimes);
   draw(exhibit, results.regimes);
   if (results.fine) {
     show_pressure_waves(exhibit, "wide-suction_fine_", "wide-suction_fine-leader", *results.fine, soliton_threshold);

@@ -69,7 +69,7 @@ double PressureSource::at(double x, double time) const {
 }
 
 PressureWaves::PressureWaves(PressureSource source, PressureRun run, const std::function<void(double)>& progress)
-    : source_(source), run_(run) {
+    : source_(source) {
   const double end = std::max(fastest_soliton, source.speed) * run.time + room_ahead;
   model::Channel channel{.bottom = std::make_shared<LevelBottom>(1.0)};
   const auto cells = static_cast<std::size_t>(std::lround((end + behind) / run.spacing));
@@ -120,7 +120,7 @@ std::vector<CurveCrest> PressureWaves::solitons(const PressureSurface& surface, 
 }
 
 double PressureWaves::soliton_count(double threshold) const {
-  return std::isnan(maximum_ahead()) ? nan : static_cast<double>(forward_solitons(threshold).size());
+  return std::isnan(maximum_ahead()) ? nan : static_cast<double>(solitons(last_, threshold).size());
 }
 
 double PressureWaves::maximum_ahead() const {
@@ -130,11 +130,9 @@ double PressureWaves::maximum_ahead() const {
 PressureWaves::Leader PressureWaves::leader(double threshold) const {
   const std::vector<CurveCrest> before = solitons(earlier_, threshold);
   const std::vector<CurveCrest> now = solitons(last_, threshold);
-  if (before.empty() || now.empty()) return {nan, nan, nan};
-  const CurveCrest here = now.back();
-  return {.speed = source_.speed + (here.place - before.back().place) / (last_.time - earlier_.time),
-          .height = here.height,
-          .place = here.place};
+  if (before.empty() || now.empty()) return {};
+  return {.speed = source_.speed + (now.back().place - before.back().place) / (last_.time - earlier_.time),
+          .height = now.back().height};
 }
 
 void PressureWaves::draw_ridges(evidence::Figure& figure) const {
@@ -146,9 +144,8 @@ void PressureWaves::draw_ridges(evidence::Figure& figure) const {
   const double scale = std::max(1.0, std::floor(4 * interval / highest.value() / 5) * 5);
   auto& panel = figure.panel({.x = "x - U t", .y = fmt::format("t + {:g} elevation", scale), .title = source_.text()});
   for (const PressureSurface& ridge : ridges_) {
-    std::vector<double> line =
-        each(ridge.elevation, [&](const double elevation) { return ridge.time + scale * elevation; });
-    panel.line("surface", ridge.place, line, Role::computed);
+    panel.line("surface", ridge.place,
+               each(ridge.elevation, [&](const double elevation) { return ridge.time + scale * elevation; }));
   }
 }
 
@@ -170,19 +167,19 @@ std::vector<double> settled_distances(const PressureWaves& waves) {
 
 }  // namespace
 
-std::vector<PressureRegime> main_pressure_regimes() {
-  return {{"pressure", "pressure: solitons", {.pressure = 0.1, .half_width = 4}, 150},
-          {"suction", "suction: solitons", {.pressure = -0.1, .half_width = 4}, 500, true, true},
-          {"wide-suction", "wide suction: none", {.pressure = -0.1, .half_width = 6.5}, 800, false, true}};
-}
-
-std::vector<PressureRegime> more_pressure_regimes() {
-  return {{"pressure-1", "narrow pressure", {.pressure = 0.1, .half_width = 1}, 150},
-          {"pressure-2", "pressure, w = 2", {.pressure = 0.1, .half_width = 2}, 150},
-          {"pressure-7", "wide pressure", {.pressure = 0.1, .half_width = 7}, 800, true, true},
-          {"suction-7", "suction, w = 7", {.pressure = -0.1, .half_width = 7}, 500, false, true},
-          {"weak-suction", "weak suction", {.pressure = -0.05, .half_width = 4}, 500},
-          {"weak-wide-suction", "weak wide suction", {.pressure = -0.05, .half_width = 8}, 500, false}};
+std::vector<PressureRegime> pressure_regimes(bool all) {
+  std::vector<PressureRegime> regimes{
+      {"pressure", "pressure: solitons", {.pressure = 0.1, .half_width = 4}, 150},
+      {"suction", "suction: solitons", {.pressure = -0.1, .half_width = 4}, 500, true, true},
+      {"wide-suction", "wide suction: none", {.pressure = -0.1, .half_width = 6.5}, 800, false, true},
+      {"pressure-1", "narrow pressure", {.pressure = 0.1, .half_width = 1}, 150},
+      {"pressure-2", "pressure, w = 2", {.pressure = 0.1, .half_width = 2}, 150},
+      {"pressure-7", "wide pressure", {.pressure = 0.1, .half_width = 7}, 800, true, true},
+      {"suction-7", "suction, w = 7", {.pressure = -0.1, .half_width = 7}, 500, false, true},
+      {"weak-suction", "weak suction", {.pressure = -0.05, .half_width = 4}, 500},
+      {"weak-wide-suction", "weak wide suction", {.pressure = -0.05, .half_width = 8}, 500, false}};
+  if (!all) regimes.resize(3);
+  return regimes;
 }
 
 double solitons_ahead(const PressureWaves& waves) {
@@ -197,11 +194,8 @@ bool usual_resolution(const PressureRun& run) {
 
 std::optional<PressureRegime> pressure_regime_of(const PressureSource& source, const PressureRun& run) {
   if (!usual_resolution(run)) return std::nullopt;
-  for (const auto& regimes : {main_pressure_regimes(), more_pressure_regimes()}) {
-    const auto found = std::find_if(regimes.begin(), regimes.end(), [&](const PressureRegime& regime) {
-      return regime.source == source && regime.time == run.time;
-    });
-    if (found != regimes.end()) return *found;
+  for (const PressureRegime& regime : pressure_regimes()) {
+    if (regime.source == source && regime.time == run.time) return regime;
   }
   return std::nullopt;
 }
@@ -227,24 +221,22 @@ void claim_leading_soliton(const Claims<PressureWaves>& claims, const std::strin
 }
 
 void claim_pressure_regime(const Claims<PressureWaves>& all, const PressureRegime& regime, const PressureRun& run) {
-  const Claims<PressureWaves> claims = all.at(run.text());
-  const auto claim = [&](const std::string& id, const std::string& text, const std::string& quantity) {
-    return evidence::Claim{regime.id + "-" + id, fmt::format("{} ({}).", text, regime.source.text()), quantity, "1",
-                           source};
-  };
+  const Claims<PressureWaves> claims = all.at(run.text()).from(source);
   claims.check(
-      regime.solitons
-          ? claim("solitons", "The number of solitons ahead of the source is positive", "forward solitons present")
-          : claim("none-ahead", "The number of solitons ahead of the source is zero", "forward solitons present"),
-      solitons_ahead,
+      regime.id + (regime.solitons ? "-solitons" : "-none-ahead"),
+      fmt::format("The number of solitons ahead of the source is {} ({}).", regime.solitons ? "positive" : "zero",
+                  regime.source.text()),
+      "forward solitons present", solitons_ahead,
       Qualitative{
           .detector = fmt::format("a peak above {:g} beyond the front of the source at the end", soliton_threshold),
           .reason = "water escapes ahead only as solitons; lower elevations are the transient of the start",
           .expected = regime.solitons});
   if (!regime.periodic) return;
   claims.check(
-      claim("regular", "The intervals between surface peaks at the source deviate from their mean by at most 3 %",
-            "largest relative deviation of a peak interval from the mean"),
+      regime.id + "-regular",
+      fmt::format("The intervals between surface peaks at the source deviate from their mean by at most 3 % ({}).",
+                  regime.source.text()),
+      "largest relative deviation of a peak interval from the mean",
       [](const PressureWaves& waves) { return relative_spread(settled_distances(waves)); },
       Bound{regular, "periodic, not chaotic; the first interval, affected by the start, is excluded"});
 }

@@ -52,9 +52,6 @@ class PressureWaves {
   /// long enough for the fastest solitons. Throws seiche::Divergence.
   PressureWaves(PressureSource source, PressureRun run, const std::function<void(double)>& progress);
 
-  [[nodiscard]] const PressureSource& source() const { return source_; }
-  [[nodiscard]] const PressureRun& run() const { return run_; }
-
   /// Of the elevation at the centre of the source, in the second half of the run.
   struct Extremes {
     double lowest = 0;
@@ -66,20 +63,16 @@ class PressureWaves {
   /// Of the elevation at the source, after its first peak; NaN without one.
   [[nodiscard]] Period period() const;
 
-  /// Peaks of the last surface beyond the front of the source.
-  [[nodiscard]] std::vector<CurveCrest> forward_solitons(double threshold) const { return solitons(last_, threshold); }
-  /// How many; NaN where the surface is not known.
+  /// How many peaks the last surface has beyond the front of the source; NaN where it is not known.
   [[nodiscard]] double soliton_count(double threshold) const;
   /// Highest elevation beyond the front of the source, of the last surface and of all times.
   [[nodiscard]] double maximum_ahead() const;
   [[nodiscard]] double maximum_ahead_ever() const { return ahead_ever_.value(); }
   /// Largest elevation at the wall ahead, at any time: as long as nothing gets there the channel is as good as endless.
   [[nodiscard]] double largest_at_wall() const { return at_wall_.value(); }
-  /// The leading soliton: mean speed in the last `leader_time`, height and place at the end; NaN without one.
+  /// The leading soliton: mean speed in the last `leader_time`, and height at the end; NaN without one.
   struct Leader {
-    double speed = 0;
-    double height = 0;
-    double place = 0;  ///< from the centre of the source
+    double speed = nan, height = nan;
   };
   [[nodiscard]] Leader leader(double threshold) const;
 
@@ -93,7 +86,6 @@ class PressureWaves {
   [[nodiscard]] std::vector<CurveCrest> solitons(const PressureSurface& surface, double threshold) const;
 
   PressureSource source_;
-  PressureRun run_;
   std::vector<double> time_, at_source_;
   PressureSurface earlier_, last_;
   std::vector<PressureSurface> ridges_;
@@ -110,10 +102,9 @@ struct PressureRegime {
   bool periodic = false;  ///< the surface at the source, for four periods or more
 };
 
-/// The three regimes of the figure: solitons by pressure, solitons by suction, suction without solitons.
-std::vector<PressureRegime> main_pressure_regimes();
-/// Other widths and strengths.
-std::vector<PressureRegime> more_pressure_regimes();
+/// The three regimes of the figure, solitons by pressure, solitons by suction, suction without solitons; and other
+/// widths and strengths.
+std::vector<PressureRegime> pressure_regimes(bool all = true);
 /// Regimes are known at this spacing and step: at others the wide suction is near the end of its own.
 bool usual_resolution(const PressureRun& run);
 /// The regime with exactly this source, time, spacing and step, if there is one.
