@@ -202,24 +202,21 @@ Results compute(const Run& run) {
   Results all;
   struct Task {
     Channel channel;
-    std::size_t ladder, rung;
+    Growth* result;
   };
   std::vector<Task> tasks;
   for (const WaveModel model : {WaveModel::plan, WaveModel::hexahedra}) {
     const std::vector<double>& sizes = model == WaveModel::plan ? factors : layered_factors;
     for (const double angle : angles) {
+      Ladder& ladder = all.emplace_back(sizes.size());
+      Channel channel{.amplitude = run.real("amplitude"), .angle = radians(angle), .model = model};
       for (std::size_t rung = 0; rung < sizes.size(); ++rung) {
-        tasks.push_back({{.amplitude = run.real("amplitude"),
-                          .angle = radians(angle),
-                          .spacing = sizes[rung] * run.real("h"),
-                          .model = model},
-                         all.size(),
-                         rung});
+        channel.spacing = sizes[rung] * run.real("h");
+        tasks.push_back({channel, &ladder[rung]});
       }
-      all.emplace_back(sizes.size());
     }
   }
-  on_threads(run, tasks.size(), [&](std::size_t k) { all[tasks[k].ladder][tasks[k].rung] = grow(tasks[k].channel); });
+  on_threads(run, tasks.size(), [&](std::size_t k) { *tasks[k].result = grow(tasks[k].channel); });
   return all;
 }
 

@@ -74,19 +74,19 @@ AngleLaw angle_law(const ReflectionSeries& series, double last) {
 
 void sweep(const Run& run, std::vector<ReflectionSeries>& series, double time) {
   struct Task {
-    std::size_t series, angle;
+    Reflection* reflection;
     double cost;
   };
   std::vector<Task> tasks;
   double all = 0;
-  for (std::size_t s = 0; s < series.size(); ++s) {
-    ReflectionSeries& one = series[s];
+  for (ReflectionSeries& one : series) {
     one.reflections.assign(one.angles.size(), Reflection{});
     for (std::size_t k = 0; k < one.angles.size(); ++k) {
       ReflectionRun& what = one.reflections[k].run;
       what = {.amplitude = one.amplitude, .angle = radians(one.angles[k]), .spacing = one.spacing, .time = time};
       // Cells in a window of so many width units across go like 1/(a h^2).
-      tasks.push_back({s, k, what.duration() / what.tau() / (one.amplitude * one.spacing * one.spacing)});
+      tasks.push_back(
+          {&one.reflections[k], what.duration() / what.tau() / (one.amplitude * one.spacing * one.spacing)});
       all += tasks.back().cost;
     }
   }
@@ -94,7 +94,7 @@ void sweep(const Run& run, std::vector<ReflectionSeries>& series, double time) {
   on_threads(
       tasks.size(), workers_of(run.tier()),
       [&](std::size_t k) {
-        Reflection& reflection = series[tasks[k].series].reflections[tasks[k].angle];
+        Reflection& reflection = *tasks[k].reflection;
         reflection = reflect_as_part(run, ReflectionRun(reflection.run));
       },
       [&](std::size_t finished) {
