@@ -36,8 +36,9 @@ BermWave run_berm_wave(const Berm& berm, const BermResolution& mesh, const Surfa
     const auto i = static_cast<std::size_t>(std::lround((x + berm.length) / width));
     return settings.height * mode.elevation[i] / mode.elevation.front();
   };
-  BermWave wave{.flow = Flow(mesh.mesh(berm, elevation), {}, {}, {.hourglass = settings.hourglass})};
+  BermWave wave{.flow = Flow(mesh.mesh(berm, elevation))};
   Flow& flow = wave.flow;
+  if (settings.rezone > 0) flow.keep_upright(settings.rezone);
   BermHistory& history = wave.history;
   BermGauge gauge(flow, berm);
   watch(flow);

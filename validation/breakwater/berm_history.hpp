@@ -52,7 +52,7 @@ struct BermRunSettings {
   double height = 0.01;  ///< at the far wall
   double time = 1;
   double tau = 0.02;
-  double hourglass = 0;
+  double rezone = 0;  ///< drift of a node at which the columns are set upright again, in cells; 0: never
 };
 
 /// Sees a flow before its first step and after each.

@@ -16,7 +16,7 @@ frequency of that wave in the one-step scheme, so that cells and steps contribut
 first is the transient of the start, which linear piston theory predicts for the way to the antinode, the way back and
 the re-reflection from the paddle. The second is the drift of the mesh with the square of the height, which tangles it
 at the edge of the berm under high waves; the waves are therefore low. `breakwater_high_wave` runs a wave of height 0.2
-on a mesh with an hourglass potential. The height of the standing wave is compared with twice the theory of the piston.
+on a rezoned mesh. The height of the standing wave is compared with twice the theory of the piston.
 
 **What to look at.** The berm is half a wavelength wide for $L/h$ of about 6. Front and rear are then loaded in
 antiphase, and their sum, for which the structure must be designed, is less than a tenth of the force on a plain wall.
