@@ -25,7 +25,6 @@ import json
 import pathlib
 import random
 import re
-import resource
 import shutil
 import subprocess
 import sys
@@ -36,7 +35,7 @@ from itertools import repeat
 
 import operators
 from checks import PROJECT, Check, NoAnswer, findings
-from programs import ROOT, Build, Changed, NotBuilt
+from programs import ROOT, Build, Changed, NotBuilt, processor_time
 from seeded import BadFault, all_faults
 from together import Together
 
@@ -58,14 +57,9 @@ ROOMS = {
 LEFT_OUT = re.compile(r"/(tests|distributed|benchmarks?)/")
 COLUMNS = ("seed", "number", "room", "file", "line", "change", "outcome", "by", "seconds", "commit", "reason")
 COMPILING = 5  # seconds of a source
+MAKING = 5  # times --budget that a change may take to compile and link, beside what its checks take
 TOGETHER = 40  # changes from which on one build of all that are C++ costs less than one of each
 UNKNOWN = {True: 20, False: 2}  # seconds of a case and of a test that have not run yet
-
-
-def processor_time():
-    """Seconds that children have taken: what else runs on the machine does not count."""
-    used = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return used.ru_utime + used.ru_stime
 
 
 def room_of(file):
@@ -139,16 +133,17 @@ class Judge:
         return self.seconds.get(check, UNKNOWN[check.is_case])
 
     def of(self, changed):
-        """(seconds, check) of the checks that decide a changed file, the cheapest and those that decide little else first.
-        Seconds are those of the check and of compiling what it needs anew."""
+        """The checks that decide a changed file, the cheapest and those that decide little else first; the cost is that of the
+        check and of compiling what it needs anew."""
         file, found = changed.change.file, []
         for check in [check for check, files in self.deciding.items() if file in files]:
             try:
-                found.append((self.cost(check) + COMPILING * len(changed.touched(check)), check))
+                cost = self.cost(check) + COMPILING * changed.to_compile(check)
             except NotBuilt:
                 continue
-        found.sort(key=lambda one: (one[0] * len(self.deciding[one[1]]), one[1].file))
-        return found + [(0, Check(name)) for place, names in PROJECT.items() if file.startswith(place) for name in names]
+            found.append((cost * len(self.deciding[check]), check.file, check))
+        return [check for *_, check in sorted(found)] + [Check(name) for place, names in PROJECT.items()
+                                                         if file.startswith(place) for name in names]
 
     def limit(self, check):
         """A program that takes ten times its time hangs."""
@@ -190,10 +185,12 @@ class Judge:
         try:
             changed = Changed(self.build, change, place)
             checks = self.of(changed)
-            for seconds, check in checks:
-                if ran and processor_time() - begin + seconds > self.budget:
-                    continue
+            for check in checks:
+                used = processor_time() - begin - changed.making
                 try:
+                    making = changed.making + COMPILING * changed.to_compile(check)
+                    if ran and (used + self.cost(check) > self.budget or making > MAKING * self.budget):
+                        continue
                     names = self.noticed(check, changed, place / "evidence")
                 except NotBuilt as trouble:
                     if " is not made from " in str(trouble):

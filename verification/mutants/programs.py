@@ -12,6 +12,7 @@ import hashlib
 import os
 import pathlib
 import re
+import resource
 import shlex
 import shutil
 import subprocess
@@ -26,6 +27,12 @@ MEMBER = re.compile(r'^#include "(.*)"', re.MULTILINE)
 
 class NotBuilt(RuntimeError):
     """The changed program could not be made: the change says nothing about the checks."""
+
+
+def processor_time():
+    """Seconds that children have taken: what else runs on the machine does not count."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
 
 
 def value_after(words, option):
@@ -108,6 +115,7 @@ class Changed:
         self.tree = scratch / "tree"
         self.objects = {}
         self.programs = {}
+        self.making = 0  # seconds of compiling and linking so far
         self.whole = change.applied((ROOT / change.file).read_bytes())
         # Neighbours are links, so that whoever reads the tree finds all of it; a Python package is a copy.
         package = change.file.endswith(".py") and pathlib.PurePath(*pathlib.PurePath(change.file).parts[:2])
@@ -144,6 +152,10 @@ class Changed:
             raise NotBuilt(f"{check.target} is not made from {file}")
         return found
 
+    def to_compile(self, check):
+        """How many sources are still to be compiled for a check."""
+        return sum(source not in self.objects for source in self.touched(check)) if self.compiled else 0
+
     def compile(self, target, source):
         """Compiles a source, from the tree with the change if it is there, with that tree's headers."""
         words, file = list(self.build.commands(target)[0][source]), self.change.file
@@ -167,7 +179,9 @@ class Changed:
         return made
 
     def run(self, words, what):
+        begin = processor_time()
         ended = subprocess.run(words, cwd=self.build.folder, capture_output=True, text=True)
+        self.making += processor_time() - begin
         if ended.returncode != 0:
             raise NotBuilt(f"does not {what}:\n{ended.stdout}{ended.stderr}")
 
