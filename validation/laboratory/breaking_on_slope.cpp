@@ -19,10 +19,6 @@ namespace seiche::validation::cases::breaking_on_slope {
 
 using namespace laboratory;
 
-const std::string source =
-    "J. B. Hansen, I. A. Svendsen, Regular waves in shoaling water: experimental data, Series Paper 21, ISVA, "
-    "Technical University of Denmark (1979)";
-
 struct Wave {
   double number, period, height;
 };
@@ -107,7 +103,9 @@ Experiment experiment(const Values& values) {
     heights.read({highest(wave, {}), when_highest(wave, {}, Kind::place), misfit(wave, {0, breaking})});
     levels.readings.push_back(misfit(wave, {0, breaking}));
   }
-  return {.source = source,
+  return {.source =
+              "J. B. Hansen, I. A. Svendsen, Regular waves in shoaling water: experimental data, Series Paper 21, "
+              "ISVA, Technical University of Denmark (1979)",
           .parts = {heights, levels},
           .files = {"hansen_svendsen_1979_shoaling_breaking/bed.csv"},
           .compute = values.tier() == Tier::quick ? nullptr : compute,  // coarser spacings place no breaking to 1.5 m
@@ -121,10 +119,8 @@ Experiment experiment(const Values& values) {
 }
 
 void breaking_on_slope(Case& c) {
-  c.title = "Shoaling and breaking of regular waves on a slope";
-  c.source = source;
-  c.parameters = {real("spacing", {0.1, 0.04, 0.04}, "m", {0.01, 0.1}, "node spacing, for the model run")};
-  set_laboratory<experiment>(c);
+  set_laboratory<experiment>(c, "Shoaling and breaking of regular waves on a slope",
+                             {real("spacing", {0.1, 0.04, 0.04}, "m", {0.01, 0.1}, "node spacing, for the model run")});
 }
 
 }  // namespace seiche::validation::cases::breaking_on_slope

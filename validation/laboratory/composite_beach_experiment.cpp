@@ -69,11 +69,11 @@ Experiment composite_beach_experiment(const std::string& letter) {
                 .input_reason = "calibration of the gauges, estimated",
                 .telling = 1,
                 .origin = wave.passes,
-                .clock = Clock{.group = 4, .range = 1, .window = {267, wave.passes + 2}}};
+                .clock = Clock{.group = 4, .range = 1, .window = {267, wave.passes + 2}},
+                .calibrating = {4}};
   for (double gauge = 4; gauge <= 10; ++gauge) {
     const Window window{267, gauge == 4 ? 277.0 : 284.0};
     gauges.readings.push_back(highest(gauge, window));
-    gauges.readings.back().calibration = gauge == 4;
     if (gauge > 4) gauges.readings.push_back(arrival(gauge, wave.height / 2, window));
     gauges.readings.push_back(misfit(gauge, window));
   }

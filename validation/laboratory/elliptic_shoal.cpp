@@ -22,8 +22,6 @@ namespace seiche::validation::cases::elliptic_shoal {
 
 using namespace laboratory;
 
-const std::string source = "J. C. W. Berkhoff, N. Booij, A. C. Radder, Coastal Eng. 6 (1982) 255-279";
-
 constexpr double period = 1;          // [s]
 constexpr double amplitude = 0.0232;  // [m]
 constexpr double side_wall = 10;
@@ -94,7 +92,7 @@ Experiment experiment(const Values& values) {
     if (section == 1 || section == 6 || section == 8) continue;  // level: scatter decides which point is the highest
     part.read({highest(section, {}), when_highest(section, {}, Kind::place)});
   }
-  return {.source = source,
+  return {.source = "J. C. W. Berkhoff, N. Booij, A. C. Radder, Coastal Eng. 6 (1982) 255-279",
           .parts = {part},
           .files = {"berkhoff_1982_elliptic_shoal/bathymetry.asc"},
           .compute = values.tier() == Tier::quick ? nullptr : compute,
@@ -106,11 +104,9 @@ Experiment experiment(const Values& values) {
 }
 
 void elliptic_shoal(Case& c) {
-  c.title = "Regular waves on an elliptic shoal";
-  c.source = source;
   c.tiers = {Tier::quick, Tier::full};
-  c.parameters = {real("spacing", 0.07, "m", {0.07, 0.1}, "column width, for the model run")};
-  set_laboratory<experiment>(c);
+  set_laboratory<experiment>(c, "Regular waves on an elliptic shoal",
+                             {real("spacing", 0.07, "m", {0.07, 0.1}, "column width, for the model run")});
 }
 
 }  // namespace seiche::validation::cases::elliptic_shoal

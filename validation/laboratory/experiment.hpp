@@ -49,6 +49,8 @@ struct Series {
   double origin = 0;      ///< what arrivals are counted from in the summary
   double highest = 1e30;  ///< abscissae beyond it do not count
   std::optional<Clock> clock = {};
+  /// Groups that set the model's input: but for misfits, what is read there is shown, and no claim.
+  std::vector<double> calibrating = {};
   std::vector<Reading> readings = {};
 
   void read(std::initializer_list<Reading> more) { readings.insert(readings.end(), more); }

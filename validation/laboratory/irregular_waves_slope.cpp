@@ -32,7 +32,6 @@ namespace seiche::validation::cases::irregular_waves_slope {
 
 using namespace laboratory;
 
-const std::string source = "H. Mase, J. T. Kirby, Proc. 23rd Int. Conf. Coastal Eng. (1992) 474-487";
 const std::vector<double> depths{0.025, 0.05, 0.075, 0.1, 0.125, 0.15, 0.175, 0.2, 0.25, 0.3, 0.35};
 
 /// Still water before a slope of 1:20, from x = -10 m to the shore; the toe is at 0.
@@ -110,7 +109,7 @@ Series statistic(const std::string& name, const Column& quantity) {
 
 Experiment experiment(const Values& values) {
   return {
-      .source = source,
+      .source = "H. Mase, J. T. Kirby, Proc. 23rd Int. Conf. Coastal Eng. (1992) 474-487",
       .parts = {statistic("std", {"std", "m", "standard deviation of the elevation"}),
                 statistic("skewness", {"skewness", "1", "skewness of the elevation"}),
                 statistic("asymmetry", {"asymmetry", "1", "asymmetry: minus the skewness of the Hilbert transform"})},
@@ -127,12 +126,10 @@ Experiment experiment(const Values& values) {
 }
 
 void irregular_waves_slope(Case& c) {
-  c.title = "Shoaling and breaking of irregular waves on a slope";
-  c.source = source;
-  c.parameters = {real("spacing", 0.025, "m", {0.01, 0.1}, "of the nodes"),
-                  real("duration", 749.95, "s", {10, 749.95}, "that is recorded")};
   c.tiers = {Tier::quick, Tier::full};
-  set_laboratory<experiment>(c);
+  set_laboratory<experiment>(c, "Shoaling and breaking of irregular waves on a slope",
+                             {real("spacing", 0.025, "m", {0.01, 0.1}, "of the nodes"),
+                              real("duration", 749.95, "s", {10, 749.95}, "that is recorded")});
 }
 
 }  // namespace seiche::validation::cases::irregular_waves_slope

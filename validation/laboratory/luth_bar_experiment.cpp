@@ -70,13 +70,12 @@ Experiment luth_bar_experiment(const std::string& letter) {
               .quantity = {"eta", "m", "surface elevation"},
               .input = wave.input,
               .input_reason = wave.input_reason,
-              .clock = Clock{.group = 2, .range = wave.period / 2, .window = window}};
+              .clock = Clock{.group = 2, .range = wave.period / 2, .window = window},
+              .calibrating = {2, 4}};
   for (const double x : gauges) {
     part.read({height(x, window), misfit(x, window)});
     constexpr double repeats = 0.0005;  // two records of the same wave differ by 0.3 to 0.5 mm
     part.readings.push_back(harmonic(x, 1, wave.period, window, repeats));
-    if (x > 4) continue;
-    for (Reading& reading : part.readings) reading.calibration = !reading.misfit();
   }
   return {.source = luth_bar_source,
           .parts = {part},

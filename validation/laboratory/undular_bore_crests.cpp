@@ -22,9 +22,6 @@ namespace seiche::validation::cases::undular_bore_crests {
 
 using namespace laboratory;
 
-const std::string source =
-    "H. Favre, Etude theorique et experimentale des ondes de translation dans les canaux decouverts, Dunod, Paris "
-    "(1935); A. Treske, J. Hydraul. Res. 32 (1994) 355-370";
 const std::vector<double> depths{0.1, 0.16, 0.2};
 
 Submitted compute(const Run& run, double coarsening) {
@@ -59,15 +56,17 @@ Experiment experiment(const Values& /*values*/) {
     part.readings.push_back(misfit(depth, {}));
     for (const double froude : {1.11, 1.15}) part.readings.push_back(at(depth, froude, Kind::height));
   }
-  return {
-      .source = source, .parts = {part}, .compute = compute, .model = "dispersive shallow water, improved dispersion"};
+  return {.source =
+              "H. Favre, Etude theorique et experimentale des ondes de translation dans les canaux decouverts, Dunod, "
+              "Paris (1935); A. Treske, J. Hydraul. Res. 32 (1994) 355-370",
+          .parts = {part},
+          .compute = compute,
+          .model = "dispersive shallow water, improved dispersion"};
 }
 
 void undular_bore_crests(Case& c) {
-  c.title = "The first crest of an undular bore";
-  c.source = source;
-  c.parameters = {real("spacing", {0.06, 0.04, 0.04}, "m", {0.01, 0.1}, "of the nodes")};
-  set_laboratory<experiment>(c);
+  set_laboratory<experiment>(c, "The first crest of an undular bore",
+                             {real("spacing", {0.06, 0.04, 0.04}, "m", {0.01, 0.1}, "of the nodes")});
 }
 
 }  // namespace seiche::validation::cases::undular_bore_crests

@@ -29,9 +29,7 @@ std::string plain(std::string text, const char* minus) {
 /// Root mean square of the measured curve: what an incident wave that is off by a share makes of a misfit.
 double size_of(const Measured& measured, Window window) {
   Mean square;
-  for (std::size_t i = 0; i < measured.x.size(); ++i) {
-    if (measured.x[i] >= window.from && measured.x[i] <= window.to) square.add(std::pow(measured.y[i], 2));
-  }
+  for (const std::size_t i : inside(measured.x, window)) square.add(std::pow(measured.y[i], 2));
   return std::sqrt(square.value());
 }
 
@@ -75,13 +73,13 @@ double chi_squared(std::size_t freedom) {
 }
 
 /// Covariances of the data of readings with a sign.
-Eigen::MatrixXd covariance(const std::vector<const Question*>& of) {
-  const auto n = static_cast<Eigen::Index>(of.size());
+Eigen::MatrixXd covariance(const std::vector<Question>& all, const std::vector<std::size_t>& index) {
+  const auto n = static_cast<Eigen::Index>(index.size());
   Eigen::MatrixXd v = Eigen::MatrixXd::Zero(n, n);
   for (Eigen::Index i = 0; i < n; ++i) {
-    const Question& a = *of[static_cast<std::size_t>(i)];
+    const Question& a = all[index[static_cast<std::size_t>(i)]];
     for (Eigen::Index j = 0; j < i; ++j) {
-      const Question& b = *of[static_cast<std::size_t>(j)];
+      const Question& b = all[index[static_cast<std::size_t>(j)]];
       if (a.part().name != b.part().name) continue;
       const bool clocked = a.part().kind == WantedTable::Kind::series;
       if (clocked && a.reading().along && b.reading().along) v(i, j) = a.measured().u_x * b.measured().u_x;
@@ -129,10 +127,8 @@ std::optional<double> Question::stated(const std::map<std::string, StatedUncerta
   const auto of_x = uncertainty.find(part_.abscissa.name);
   if (of_y == uncertainty.end() && of_x == uncertainty.end()) return std::nullopt;
   Measured as_stated = *measured_;
-  Worst largest;
-  for (const double y : as_stated.y) largest.add(y);
-  const double u = of_y == uncertainty.end() ? 0 : of_y->second.of(largest.value());
-  std::fill(as_stated.u.begin(), as_stated.u.end(), u);
+  const double u = of_y == uncertainty.end() ? 0 : of_y->second.of(worst(as_stated.y));
+  std::ranges::fill(as_stated.u, u);
   as_stated.u_x = of_x == uncertainty.end() ? 0 : of_x->second.of(as_stated.x.back() - as_stated.x.front());
   if (u == 0 && as_stated.u_x == 0) return 0;
   const double all = reading_.uncertainty(as_stated);
@@ -145,22 +141,14 @@ std::optional<Question> Question::within(const SubmittedGroup& record) const {
   part.window = {std::max(reading_.window.from, record.abscissa.front()),
                  std::min(reading_.window.to, record.abscissa.back())};
   const std::vector<double>& x = measured_->x;
-  const auto inside = [&](double at) { return at >= part.window.from && at <= part.window.to; };
-  if (std::ranges::none_of(x, inside) || std::isnan(part.of(measured_->curve(), *measured_))) return {};
+  const std::vector<double> held = each(inside(x, part.window), [&](std::size_t i) { return x[i]; });
+  if (held.empty() || std::isnan(part.of(measured_->curve(), *measured_))) return {};
   const Curve given{record.abscissa, record.values.at(part_.quantity.name)};
-  std::vector<double> held, between;
-  for (const double at : x) {
-    if (!inside(at)) continue;
-    held.push_back(at);
-    between.push_back(linear_at(given, at));
-  }
+  const std::vector<double> between = each(held, [&](double at) { return linear_at(given, at); });
   const bool sparse = std::isnan(part.of(given, *measured_)) && !std::isnan(part.of({held, between}, *measured_));
   if (sparse) return {};
-  if (std::ranges::count_if(x, inside) ==
-      std::ranges::count_if(x, [&](double at) { return at >= reading_.window.from && at <= reading_.window.to; })) {
-    return *this;
-  }
-  return Question(part_, part, measured_);
+  const auto asked = static_cast<std::size_t>(std::ranges::distance(inside(x, reading_.window)));
+  return held.size() == asked ? *this : Question(part_, part, measured_);
 }
 
 std::vector<Question> questions(const Experiment& experiment, const Values& values, bool calibration) {
@@ -169,7 +157,9 @@ std::vector<Question> questions(const Experiment& experiment, const Values& valu
     for (const Measured& curve : measured(part, values)) {
       const auto kept = std::make_shared<const Measured>(curve);
       for (const Reading& reading : part.readings) {
-        if (reading.calibration == calibration && (!part.group || reading.group == curve.group)) {
+        const bool calibrates =
+            !reading.misfit() && std::ranges::find(part.calibrating, reading.group) != part.calibrating.end();
+        if (calibrates == calibration && (!part.group || reading.group == curve.group)) {
           all.emplace_back(part, reading, kept);
         }
       }
@@ -222,12 +212,9 @@ double Metric::noticed() const {
 
 Metric metric(const std::vector<Question>& all, const Submitted& computed, const Sources& sources) {
   const bool misfits_alone = by_misfits_alone(all);
-  std::vector<const Question*> of;
-  std::vector<std::size_t> index;
+  std::vector<std::size_t> index;  // of the readings that a covariance is known of
   for (std::size_t k = 0; k < all.size(); ++k) {
-    if (all[k].reading().misfit() && !misfits_alone) continue;
-    of.push_back(&all[k]);
-    index.push_back(k);
+    if (!all[k].reading().misfit() || misfits_alone) index.push_back(k);
   }
   const auto gather = [&](const auto& value) {
     Eigen::VectorXd gathered(static_cast<Eigen::Index>(index.size()));
@@ -246,7 +233,7 @@ Metric metric(const std::vector<Question>& all, const Submitted& computed, const
   const Eigen::VectorXd incident = gather(input);
   const Eigen::VectorXd error = gather(
       [&](std::size_t k) { return all[k].reading().misfit() ? 0 : all[k].answer(computed) - all[k].expected(); });
-  Eigen::MatrixXd v = covariance(of);
+  Eigen::MatrixXd v = covariance(all, index);
   // Of a common factor, from the readings as well as these covariances let it be told.
   const auto of_factor = [&] { return 1 / std::sqrt(size.dot(v.llt().solve(size))); };
   const auto more = [](double total, double before) {

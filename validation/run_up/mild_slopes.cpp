@@ -7,7 +7,7 @@
 #include "seiche/exact/solitary_runup.hpp"
 #include "seiche/samples.hpp"
 #include "validation/instruments/each.hpp"
-#include "validation/run_up/mesh_slope_climb.hpp"
+#include "validation/run_up/mesh_climb.hpp"
 
 namespace seiche::validation {
 namespace {
@@ -19,14 +19,14 @@ std::vector<double> euler_on_meshes(double cot_slope, double amplitude) {
   std::vector<double> runup;
   for (const long refinement : {1, 2, 4}) {
     const double spacing = 0.5 / static_cast<double>(refinement);
-    runup.push_back(climb_slope({.wave = exact::SolitaryWave(amplitude),
-                                 .tan_slope = 1 / cot_slope,
-                                 .crest = reach,
-                                 .toe = std::ceil(2 * reach),
-                                 .spacing = spacing,
-                                 .rows = 4 * refinement,
-                                 .tau = 0.1 * spacing})
-                        .runup);
+    runup.push_back(climb_on_mesh({.wave = exact::SolitaryWave(amplitude),
+                                   .tan_slope = 1 / cot_slope,
+                                   .spacing = spacing,
+                                   .rows = 4 * refinement,
+                                   .tau = 0.1 * spacing,
+                                   .crest = reach,
+                                   .toe = std::ceil(2 * reach)})
+                        .runup());
   }
   return runup;
 }

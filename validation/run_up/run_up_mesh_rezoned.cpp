@@ -22,7 +22,6 @@ while the sheet falls.
 */
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include <fmt/format.h>
 
@@ -32,8 +31,7 @@ while the sheet falls.
 #include "validation/case/literature.hpp"
 #include "validation/case/reference_table.hpp"
 #include "validation/instruments/each.hpp"
-#include "validation/run_up/mesh_slope_climb.hpp"
-#include "validation/run_up/mesh_wall_climb.hpp"
+#include "validation/run_up/mesh_climb.hpp"
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 
 namespace seiche::validation::cases::run_up_mesh_rezoned {
@@ -70,7 +68,7 @@ constexpr std::array<Climb, 6> climbs{{{0, 0.5}, {0, 0.6}, {1, 0.41}, {1, 0.5}, 
 struct Reached {
   double spacing = 0;
   double runup = 0;  ///< NaN unless the water fell after it
-  std::optional<double> tangle;
+  bool tangled = false;
   Worst unbooked;            ///< change of the energy less what rezoning took, over the wave's energy
   double taken = 0;          ///< by rezoning, over the wave's energy
   double rezoned = 0;        ///< times
@@ -119,7 +117,7 @@ void claim_whole(const Climb& climb, const Claims<Results>& claims) {
       [id = climb.id()](const Results& all) {
         Count tangled;
         for (const Reached& one : find(all, id).on) {
-          tangled.add(one.spacing, [&](double) { return one.tangle.has_value() || std::isnan(one.runup); });
+          tangled.add(one.spacing, [&](double) { return one.tangled || std::isnan(one.runup); });
         }
         return tangled.value();
       },
@@ -182,50 +180,23 @@ void claims(const Values& values, const Claims<Results>& all) {
   }
 }
 
-/// What a run shows on its way.
-class Watch {
- public:
-  explicit Watch(Reached& reached) : reached_(reached) {}
-
-  void operator()(const Flow& flow) {
-    if (flow.steps() == 1) first_ = flow.energy() + flow.rezoning().lost;
-    reached_.unbooked.add((flow.energy() + flow.rezoning().lost) / first_ - 1, flow.time());
-    reached_.taken = flow.rezoning().lost / first_;
-    reached_.rezoned = static_cast<double>(flow.rezoning().done);
-    const double before = highest_.value();
-    highest_.add(flow.surface_y().back());
-    if (flow.steps() > 1 && !(flow.surface_y().back() > before)) return;
-    reached_.x.assign(flow.x().begin(), flow.x().end());
-    reached_.y.assign(flow.y().begin(), flow.y().end());
-  }
-
- private:
-  Reached& reached_;
-  Largest highest_;
-  double first_ = 0;
-};
-
 Reached reach(const Climb& climb, const exact::SolitaryWave& wave, long rows, double drift) {
-  const MeshWallClimb mesh = MeshWallClimb::with_rows(wave, rows);
+  MeshClimb mesh = MeshClimb::with_rows(wave, rows);
+  mesh.rezone = drift;
+  if (!climb.wall()) mesh.tan_slope = 1 / climb.cot_slope;
   Reached reached{.spacing = mesh.spacing};
-  Watch watch(reached);
-  if (climb.wall()) {
-    MeshWallClimb wall = mesh;
-    wall.rezone = drift;
-    const MeshWallRun run = climb_wall(wall, [&](const Flow& flow) { watch(flow); });
-    reached.runup = run.runup();
-    if (run.tangle) reached.tangle = run.tangle->time;
-    return reached;
-  }
-  const MeshSlopeRun run = climb_slope({.wave = wave,
-                                        .tan_slope = 1 / climb.cot_slope,
-                                        .spacing = mesh.spacing,
-                                        .rows = rows,
-                                        .tau = mesh.tau,
-                                        .rezone = drift},
-                                       [&](const Flow& flow) { watch(flow); });
-  reached.runup = run.runup;
-  if (run.tangle) reached.tangle = run.tangle->time;
+  double first = 0;
+  MeshRun run = climb_on_mesh(mesh, [&](const Flow& flow) {
+    const double taken = flow.rezoning().lost;
+    if (flow.steps() == 1) first = flow.energy() + taken;
+    reached.unbooked.add((flow.energy() + taken) / first - 1, flow.time());
+    reached.taken = taken / first;
+    reached.rezoned = static_cast<double>(flow.rezoning().done);
+  });
+  reached.runup = run.runup();
+  reached.tangled = run.tangle.has_value();
+  reached.x = std::move(run.x);
+  reached.y = std::move(run.y);
   return reached;
 }
 

@@ -204,15 +204,15 @@ void claim_measurements(const Claims<Results>& claims) {
 }
 
 void tabulate(evidence::Exhibit& exhibit, const std::vector<Row>& rows, std::size_t levels) {
-  evidence::Table& table = add_table(
-      exhibit, "runup", "Run-up on plane slopes",
-      "Printed columns: Frank (1994) with the value for halved steps, other authors, the run-up law, Hall and "
-      "Watts. Computed columns: the model with the thesis's V/4 tip at h = 1/4 and finest, with the V/6 tip at the "
-      "finest spacing, and the latter with the kinetic energy of Green and Naghdi.",
-      {"cot [1]", "A [depth]", "thesis [depth]", "halved [depth]", "V/4, h = 1/4 [depth]", "minus thesis [%]",
-       fmt::format("V/4, h = 1/{:g} [depth]", 1 / runup_spacing(levels - 1)), "V/6 [depth]", "Green-Naghdi [depth]",
-       "measured [depth]", "law [depth]", "others [depth]", "by"},
-      {"frank-table-runup"});
+  evidence::Table& table =
+      add_table(exhibit, "runup", "Run-up on plane slopes",
+                "Printed columns: Frank (1994) with the value for halved steps, other authors, the run-up law, Hall "
+                "and Watts. Computed columns: the model with the thesis's V/4 tip at h = 1/4 and finest, with the V/6 "
+                "tip at the finest spacing, and the latter with the kinetic energy of Green and Naghdi.",
+                {"cot [1]", "A [depth]", "thesis [depth]", "halved [depth]", "V/4, h = 1/4 [depth]", "minus thesis [%]",
+                 fmt::format("V/4, h = 1/{:g} [depth]", 1 / runup_spacing(levels - 1)), "V/6 [depth]",
+                 "Green-Naghdi [depth]", "measured [depth]", "law [depth]", "others [depth]", "by"},
+                {"frank-table-runup"});
   for (const Row& row : rows) {
     const double value = row.computed[as_in_thesis][0];
     table.rows.push_back({row.cot_slope, row.amplitude, row.printed, rounded(row.printed_half), rounded(value),

@@ -39,8 +39,7 @@ errors: 3 % for the highest wave on the 1:2 slope with columns an eighth wide, a
 #include "validation/case/reference_case.hpp"
 #include "validation/case/reference_table.hpp"
 #include "validation/instruments/each.hpp"
-#include "validation/run_up/mesh_slope_climb.hpp"
-#include "validation/run_up/mesh_wall_climb.hpp"
+#include "validation/run_up/mesh_climb.hpp"
 #include "validation/run_up/solitary_climb.hpp"
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 
@@ -107,14 +106,14 @@ struct Climbed : Row {
 };
 
 /// Before the largest run-up.
-bool tangles(const MeshSlopeRun& run) {
-  return run.tangle && run.tangle->time < run.time;
+bool tangles(const MeshRun& run) {
+  return run.tangle && run.tangle->time < run.time_of_highest;
 }
 
-MeshSlopeClimb with_sliding_toe(MeshSlopeClimb climb) {
+MeshClimb with_sliding_toe(MeshClimb climb) {
   climb.rounding = 1;
-  climb.hourglass = 0.1;
-  climb.scheme.stepping = mechanics::Stepping::conservative;
+  climb.settings.hourglass = 0.1;
+  climb.stepping = mechanics::Stepping::conservative;
   return climb;
 }
 
@@ -138,14 +137,14 @@ Climbed climb_row(const Row& row, std::size_t levels) {
   Climbed climbed{row, {}, {}, {}, {}, {}};
   for (std::size_t level = 0; level < levels; ++level) {
     const MeshSize& mesh = meshes[level];
-    const MeshSlopeClimb climb{
+    const MeshClimb climb{
         .wave = wave, .tan_slope = 1 / row.cot_slope, .spacing = mesh.spacing, .rows = mesh.rows, .tau = mesh.tau};
-    const MeshSlopeRun result = climb_slope(climb);
-    climbed.runup.push_back(result.runup);
+    const MeshRun result = climb_on_mesh(climb);
+    climbed.runup.push_back(result.runup());
     if (tangles(result)) climbed.tangle_time = result.tangle->time;
-    const MeshSlopeRun sliding = climb_slope(with_sliding_toe(climb));
-    climbed.sliding.push_back(sliding.runup);
-    climbed.sliding_tangles.add(sliding.runup, [&](double) { return tangles(sliding); });
+    const MeshRun sliding = climb_on_mesh(with_sliding_toe(climb));
+    climbed.sliding.push_back(sliding.runup());
+    climbed.sliding_tangles.add(sliding.runup(), [&](double) { return tangles(sliding); });
     climbed.sliding_energy.add(sliding.energy_defect.value());
   }
   return climbed;
@@ -158,15 +157,9 @@ constexpr double sweeps = 6;         // of a conservative step
 constexpr double useful = 0.15;      // uncertainty over the run-up that still says something
 constexpr double farthest = 27;      // place of a node [depth]
 
-/// The wave of the parameters.
-struct Climb {
-  MeshSlopeClimb climb;
-  MeshSlopeRun run;
-  std::vector<double> time, level, x, y;  ///< contact point in time; the mesh when it is highest
-};
-
 struct Results {
-  Climb one;
+  MeshClimb climb;  ///< of the wave of the parameters
+  MeshRun run;
   std::vector<Climbed> all = {};
 };
 
@@ -304,31 +297,17 @@ void claims(const Values& values, const Claims<Results>& claims) {
   claim_sliding_toe(all, levels(values));
 }
 
-Climb climb_one(const Values& values) {
-  const MeshSlopeClimb climb{.wave = exact::SolitaryWave(values.real("amplitude")),
-                             .tan_slope = values.real("tan_slope"),
-                             .spacing = values.real("h1"),
-                             .rows = values.integer("rows"),
-                             .tau = values.real("tau"),
-                             .scheme = {.stepping = mechanics::stepping_named(values.text("scheme"))},
-                             .hourglass = values.real("hourglass"),
-                             .rounding = values.real("rounding"),
-                             .beyond_tangling = values.toggle("beyond_tangling")};
-  std::vector<double> time, level, x, y;
-  Largest highest;
-  MeshSlopeRun run = climb_slope(climb, [&](const lagrangian_mesh_2d::Flow& flow) {
-    time.push_back(flow.time());
-    level.push_back(flow.surface_y().back());
-    highest.add(level.back());
-    if (highest.value() > level.back()) return;
-    x.assign(flow.x().begin(), flow.x().end());
-    y.assign(flow.y().begin(), flow.y().end());
-  });
-  return {climb, std::move(run), std::move(time), std::move(level), std::move(x), std::move(y)};
+MeshClimb climb_of(const Values& values) {
+  MeshClimb climb = mesh_climb_from(values, exact::SolitaryWave(values.real("amplitude")));
+  climb.tan_slope = values.real("tan_slope");
+  climb.rounding = values.real("rounding");
+  climb.beyond_tangling = values.toggle("beyond_tangling");
+  return climb;
 }
 
 Results compute(const Run& run) {
-  Results r{.one = climb_one(run)};
+  const MeshClimb climb = climb_of(run);
+  Results r{.climb = climb, .run = climb_on_mesh(climb)};
   run.progress(0.1);
   const std::vector<Row> rows = rows_of(run);
   for (const Row& row : rows) {
@@ -377,28 +356,28 @@ void draw(const std::vector<Climbed>& all, evidence::Exhibit& exhibit) {
   }
 }
 
-void show_one(const Climb& one, evidence::Exhibit& exhibit) {
-  exhibit.measure("runup", one.run.runup);
-  exhibit.measure("time_of_maximum", one.run.time);
-  exhibit.measure("energy_defect", one.run.energy_defect.value());
-  if (one.run.tangle) {
-    exhibit.measure("tangle_time", one.run.tangle->time);
-    exhibit.measure("tangle_place", one.run.tangle->place);
+void show_one(const MeshClimb& climb, const MeshRun& run, evidence::Exhibit& exhibit) {
+  exhibit.measure("runup", run.runup());
+  exhibit.measure("time_of_maximum", run.time_of_highest);
+  exhibit.measure("energy_defect", run.energy_defect.value());
+  if (run.tangle) {
+    exhibit.measure("tangle_time", run.tangle->time);
+    exhibit.measure("tangle_place", run.tangle->place);
   }
   const std::string title =
-      fmt::format("A = {:g}, slope {:g}, {}.", one.climb.wave.amplitude(), one.climb.tan_slope, one.climb.resolution());
+      fmt::format("A = {:g}, slope {:g}, {}.", climb.wave.amplitude(), climb.tan_slope, climb.resolution());
   add_panel(exhibit, "shoreline", "Elevation of the contact point", title,
             {.x = "t [sqrt(depth/g)]", .y = "elevation [depth]"})
-      .line("contact point", one.time, one.level);
-  const double highest = std::isnan(one.run.runup) ? largest(one.level) : one.run.runup;
-  const MeshWindow window{one.climb.toe - 4, one.climb.toe + (1 + 1.1 * highest) / one.climb.tan_slope};
+      .line("contact point", run.times, run.levels);
+  const double highest = run.fell ? run.highest : largest(run.levels);
+  const MeshWindow window{climb.toe - 4, climb.toe + (1 + 1.1 * highest) / climb.tan_slope};
   draw_mesh(
       add_panel(exhibit, "mesh", "The mesh at the maximum run-up", title, mesh_axes("", window), {"frank-slopes-2d"}),
-      "mesh", one.run.flow.model().mesh(), one.x, one.y, window);
+      "mesh", run.flow.model().mesh(), run.x, run.y, window);
 }
 
 void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
-  show_one(r.one, exhibit);
+  show_one(r.climb, r.run, exhibit);
   exhibit.measure("waves_that_tangle_with_a_toe_that_stays",
                   static_cast<double>(
                       std::ranges::count_if(r.all, [](const Climbed& one) { return one.tangle_time.has_value(); })));

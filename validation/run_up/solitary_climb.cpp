@@ -79,12 +79,14 @@ RunUp run_up(const SolitaryClimb& climb, const ClimbWatch& watch) {
   return run;
 }
 
+Parameter scheme_parameter() {
+  return choice("scheme", "one_step", {"one_step", "one_step_feedback", "conservative"},
+                "time stepping; the first is Frank's");
+}
+
 std::vector<Parameter> step_parameters() {
-  return {
-      real("tau_over_h", 0.25, "1", {1e-3, 2}, "time step over the spacing; shorter steps in shallow water"),
-      choice("scheme", "one_step", {"one_step", "one_step_feedback", "conservative"},
-             "time stepping; the first is Frank's"),
-  };
+  return {real("tau_over_h", 0.25, "1", {1e-3, 2}, "time step over the spacing; shorter steps in shallow water"),
+          scheme_parameter()};
 }
 
 std::vector<Parameter> climb_parameters(ByTier<double> spacing) {

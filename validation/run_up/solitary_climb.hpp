@@ -67,6 +67,7 @@ RunUp run_up(const SolitaryClimb& climb, const ClimbWatch& watch = {});
 /// kinetics.
 std::vector<Parameter> climb_parameters(ByTier<double> spacing);
 std::vector<Parameter> step_parameters();
+Parameter scheme_parameter();
 std::vector<Parameter> slope_parameters();
 /// A climb with those of them that the case has.
 SolitaryClimb climb_from(const Values& values, double cot_slope, double amplitude);

@@ -31,43 +31,15 @@ mesh is rezoned (`rezone`, `run_up_mesh_rezoned`).
 #include "validation/case/literature.hpp"
 #include "validation/case/reference_table.hpp"
 #include "validation/instruments/each.hpp"
-#include "validation/instruments/mesh/mesh_gauges.hpp"
-#include "validation/run_up/mesh_wall_climb.hpp"
+#include "validation/run_up/mesh_climb.hpp"
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 
 namespace seiche::validation::cases::wall_run_up_mesh {
 
-using lagrangian_mesh_2d::Flow;
-
 const std::string source = "Frank (1994), chapter 2; Su and Mirie (1980)";
 
-struct History {
-  std::vector<double> time, contact, load_time, still, bottom, force;
-  std::vector<double> highest_x, highest_y;  ///< the mesh when the contact point was highest
-  Largest highest;
-  WallGauge gauge;
-
-  void add(const Flow& flow) {
-    const double now = flow.surface_y().back();
-    const double before = highest.value();
-    highest.add(now);
-    if (time.empty() || now > before) {
-      highest_x.assign(flow.x().begin(), flow.x().end());
-      highest_y.assign(flow.y().begin(), flow.y().end());
-    }
-    time.push_back(flow.time());
-    contact.push_back(now);
-    const auto load = gauge.read(flow);
-    if (!load) return;
-    load_time.push_back(load->time);
-    still.push_back(load->pressure_at(0));
-    bottom.push_back(load->pressure_at(-1));
-    force.push_back(load->force);
-  }
-};
-
-MeshWallClimb climb_of(const Values& values) {
-  MeshWallClimb climb = mesh_climb_from(values, exact::SolitaryWave(values.real("amplitude")));
+MeshClimb climb_of(const Values& values) {
+  MeshClimb climb = mesh_climb_from(values, exact::SolitaryWave(values.real("amplitude")));
   climb.rezone = values.real("rezone");
   return climb;
 }
@@ -91,7 +63,7 @@ std::optional<double> tabled_runup(const Values& values) {
 struct Sequence {
   std::vector<double> spacing, runup, still, bottom, force;
 
-  void add(const MeshWallClimb& climb, const MeshWallRun& run) {
+  void add(const MeshClimb& climb, const MeshRun& run) {
     const double reached = run.fell ? 1 : nan;
     spacing.push_back(climb.spacing);
     runup.push_back(run.runup());
@@ -119,9 +91,8 @@ const std::vector<Load> loads{{"still", "p_still", "pressure at y = 0", "rho g d
                               {"force", "F", "force", "rho g depth^2", &Sequence::force, true}};
 
 struct Results {
-  MeshWallClimb climb;
-  History history;
-  MeshWallRun up;
+  MeshClimb climb;
+  MeshRun up;
   Sequence all;
   double exact;  ///< NaN where it is not known
   bool tabled;   ///< known beforehand
@@ -129,7 +100,7 @@ struct Results {
   [[nodiscard]] std::vector<double> errors() const { return all.errors(&Sequence::runup, exact); }
 };
 
-void claim_holds(const MeshWallClimb& climb, const Claims<Results>& claims) {
+void claim_holds(const MeshClimb& climb, const Claims<Results>& claims) {
   // A little lower it depends on the mesh.
   constexpr double tangling = 0.48;
   claims
@@ -148,7 +119,7 @@ void claim_holds(const MeshWallClimb& climb, const Claims<Results>& claims) {
                       .reason = "the Euler equations have a solution to the end"});
 }
 
-Order second_order(const MeshWallClimb& climb) {
+Order second_order(const MeshClimb& climb) {
   constexpr double coarsest_judged = 0.25;
   return {
       .theory = 2,
@@ -159,7 +130,7 @@ Order second_order(const MeshWallClimb& climb) {
 }
 
 /// Of the largest loads, where a table has exact values for the wave.
-void claim_loads(const Values& values, const MeshWallClimb& climb, const Claims<Results>& claims) {
+void claim_loads(const Values& values, const MeshClimb& climb, const Claims<Results>& claims) {
   const io::Table table = values.table("wall_load_exact");
   const double amplitude = climb.wave.amplitude();
   const bool mesh_holds = amplitude < 0.55 || climb.rezone > 0;
@@ -197,7 +168,7 @@ void claim_loads(const Values& values, const MeshWallClimb& climb, const Claims<
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
-  const MeshWallClimb climb = climb_of(values);
+  const MeshClimb climb = climb_of(values);
   const double amplitude = climb.wave.amplitude();
   claim_holds(climb, claims.at(climb.resolution()));
   const auto known = claims.only_if(has_exact(amplitude), "exact values exist for A = 0.05 to 0.6")
@@ -224,15 +195,14 @@ void claims(const Values& values, const Claims<Results>& claims) {
 }
 
 Results compute(const Run& run) {
-  const MeshWallClimb climb = climb_of(run);
-  History history;
-  MeshWallRun up = climb_wall(climb, [&](const Flow& flow) { history.add(flow); });
+  const MeshClimb climb = climb_of(run);
+  MeshRun up = climb_on_mesh(climb);
   run.progress(0.5);
   Sequence all;
   if (has_coarser(run)) {
     for (const long part : {2, 3, 4, 6}) {
-      const MeshWallClimb coarser = climb.refined(static_cast<double>(part) / parts);
-      all.add(coarser, climb_wall(coarser));
+      const MeshClimb coarser = climb.refined(static_cast<double>(part) / parts);
+      all.add(coarser, climb_on_mesh(coarser));
       run.progress(0.5 + 0.08 * static_cast<double>(part));
     }
     all.add(climb, up);
@@ -245,28 +215,32 @@ Results compute(const Run& run) {
     constexpr std::size_t markers = 256;
     exact = exact::WallRunup(climb.wave.amplitude(), 1, markers).runup();
   }
-  return {climb, std::move(history), std::move(up), std::move(all), exact, tabled.has_value()};
+  return {climb, std::move(up), std::move(all), exact, tabled.has_value()};
 }
 
-void draw_wall(const Results& r, evidence::Exhibit& exhibit) {
-  const History& all = r.history;
-  if (all.time.empty()) return;  // tangled in its first step
+void draw_wall(const MeshClimb& climb, const MeshRun& up, evidence::Exhibit& exhibit) {
+  if (up.times.empty()) return;  // tangled in its first step
   auto& histories = exhibit.figure("wall", "Water level and load at the wall",
-                                   fmt::format("A = {:g}; {}.", r.climb.wave.amplitude(), r.climb.resolution()));
-  histories.panel({.x = "t [sqrt(depth/g)]", .y = "contact point [depth]"}).line("mesh", all.time, all.contact);
+                                   fmt::format("A = {:g}; {}.", climb.wave.amplitude(), climb.resolution()));
+  histories.panel({.x = "t [sqrt(depth/g)]", .y = "contact point [depth]"}).line("mesh", up.times, up.levels);
+  const std::vector<double> time = each(up.loads, &WallLoad::time);
+  const auto pressure_at = [&](double y) {
+    return each(up.loads, [y](const WallLoad& load) { return load.pressure_at(y); });
+  };
   auto& pressures = histories.panel({.x = "t [sqrt(depth/g)]", .y = "pressure [rho g depth]"});
-  pressures.line("at the bottom", all.load_time, all.bottom);
-  pressures.line("at y = 0", all.load_time, all.still, Role::peer);
-  histories.panel({.x = "t [sqrt(depth/g)]", .y = "force [rho g depth^2]"}).line("mesh", all.load_time, all.force);
+  pressures.line("at the bottom", time, pressure_at(-1));
+  pressures.line("at y = 0", time, pressure_at(0), Role::peer);
+  histories.panel({.x = "t [sqrt(depth/g)]", .y = "force [rho g depth^2]"})
+      .line("mesh", time, each(up.loads, &WallLoad::force));
 
   const MeshWindow window{.begin = -2.5, .end = 0};
   auto& meshes = exhibit.figure("mesh", "The mesh at the wall",
-                                r.up.tangle ? "At the maximum run-up, and before the step in which it tangles."
-                                            : "At the maximum run-up, and at the end.");
-  auto& highest = meshes.panel(mesh_axes(fmt::format("t = {:.2f}", r.up.time_of_runup), window));
-  draw_mesh(highest, "mesh", r.up.flow.model().mesh(), all.highest_x, all.highest_y, window);
-  auto& last = meshes.panel(mesh_axes(fmt::format("t = {:.2f}", r.up.flow.time()), window));
-  draw_mesh(last, "mesh", r.up.flow, window);
+                                up.tangle ? "At the maximum run-up, and before the step in which it tangles."
+                                          : "At the maximum run-up, and at the end.");
+  auto& highest = meshes.panel(mesh_axes(fmt::format("t = {:.2f}", up.time_of_highest), window));
+  draw_mesh(highest, "mesh", up.flow.model().mesh(), up.x, up.y, window);
+  auto& last = meshes.panel(mesh_axes(fmt::format("t = {:.2f}", up.flow.time()), window));
+  draw_mesh(last, "mesh", up.flow, window);
 }
 
 void show_convergence(const Results& r, evidence::Exhibit& exhibit) {
@@ -283,10 +257,10 @@ void show_convergence(const Results& r, evidence::Exhibit& exhibit) {
 }
 
 void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
-  const MeshWallRun& up = r.up;
+  const MeshRun& up = r.up;
   exhibit.measure("highest", up.highest);
   if (up.fell) exhibit.measure("runup", up.runup());
-  exhibit.measure("time_of_maximum", up.time_of_runup);
+  exhibit.measure("time_of_maximum", up.time_of_highest);
   exhibit.measure("pressure_still_water_level", up.pressure_still);
   exhibit.measure("pressure_bottom", up.pressure_bottom);
   exhibit.measure("force", up.force);
@@ -295,7 +269,7 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
     exhibit.measure("tangle_time", up.tangle->time);
     exhibit.measure("tangle_place", up.tangle->place);
   }
-  draw_wall(r, exhibit);
+  draw_wall(r.climb, up, exhibit);
   if (!r.all.spacing.empty() && r.all.complete()) show_convergence(r, exhibit);
 }
 
@@ -303,12 +277,11 @@ void wall_run_up_mesh(Case& c) {
   c.former_names = {"wall_run_up_2d"};
   c.title = "Run-up of a solitary wave on a vertical wall: two-dimensional Lagrangian mesh";
   c.source = literature::frank + ", section 2.2, figures 2 and 3; " + literature::su_mirie;
-  c.parameters = mesh_parameters({0.25, 0.125, 0.125}, {8, 16, 16}, {0.025, 0.0125, 0.0125});
-  c.parameters.insert(c.parameters.begin(),
-                      real("amplitude", 0.3, "depth", {0.02, 0.8}, "height of the incident wave"));
-  c.parameters.push_back(
-      real("rezone", 0, "cells", {0, 0.5},
-           "largest deviation of a node from its position before rezoning; 0: no rezoning, as in Frank's model"));
+  c.parameters = joined(
+      {{real("amplitude", 0.3, "depth", {0.02, 0.8}, "height of the incident wave")},
+       mesh_parameters({0.25, 0.125, 0.125}, {8, 16, 16}, {0.025, 0.0125, 0.0125}),
+       {real("rezone", 0, "cells", {0, 0.5},
+             "largest deviation of a node from its position before rezoning; 0: no rezoning, as in Frank's model")}});
   c.study = Study(claims, compute, show, source);
 }
 

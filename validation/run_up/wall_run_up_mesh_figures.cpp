@@ -27,7 +27,7 @@ still-water level, where the pressure begins like the elevation.
 #include "validation/case/literature.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/instruments/each.hpp"
-#include "validation/run_up/mesh_wall_climb.hpp"
+#include "validation/run_up/mesh_climb.hpp"
 
 namespace seiche::validation::cases::wall_run_up_mesh_figures {
 
@@ -89,11 +89,11 @@ constexpr std::array<long, 4> rezoned_parts{4, 5, 6, 8};
 constexpr double lowest_rezoned = 0.4;
 
 void climb_on(Curve& curve, const exact::SolitaryWave& wave, const Run& run, double rezone) {
-  MeshWallClimb climb = MeshWallClimb::with_rows(wave, curve.rows);
+  MeshClimb climb = MeshClimb::with_rows(wave, curve.rows);
   climb.stepping = mechanics::stepping_named(run.text("scheme"));
   climb.settings.hourglass = run.real("hourglass");
   climb.rezone = rezone;
-  const MeshWallRun up = climb_wall(climb);
+  const MeshRun up = climb_on_mesh(climb);
   if (!up.fell) return;
   curve.points.push_back({wave.amplitude(), up.runup(), up.pressure_still, up.pressure_bottom, up.force});
 }
@@ -275,12 +275,8 @@ void wall_run_up_mesh_figures(Case& c) {
   c.former_names = {"wall_run_up_2d_figures"};
   c.title = "Run-up and pressure on a vertical wall against wave height";
   c.source = literature::frank + ", section 2.2, figures 2 and 3; " + literature::su_mirie;
-  c.parameters = {
-      integer("rows", {8, 16, 16}, {8, 64}, "of the finest mesh; coarser ones have 2, 4, 8, ..."),
-      choice("scheme", "one_step", {"one_step", "one_step_feedback", "conservative"},
-             "time stepping; the first is Frank's"),
-      real("hourglass", 0, "1", {0, 2}, "kappa_0 of the hourglass potential; Frank's model has none"),
-  };
+  c.parameters = joined({{integer("rows", {8, 16, 16}, {8, 64}, "of the finest mesh; coarser ones have 2, 4, 8, ...")},
+                         mesh_method_parameters()});
   c.published = {{.tiles = {"frank-fig-2", "frank-fig-3"}, .stated = {"scheme"}}};
   c.study = Study(claims, compute, show, source);
 }

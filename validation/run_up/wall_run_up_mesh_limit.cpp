@@ -33,7 +33,7 @@ meshes. With rezoning every wave completes, with a run-up as accurate as on the 
 #include "validation/case/literature.hpp"
 #include "validation/case/reference_table.hpp"
 #include "validation/instruments/each.hpp"
-#include "validation/run_up/mesh_wall_climb.hpp"
+#include "validation/run_up/mesh_climb.hpp"
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 
 namespace seiche::validation::cases::wall_run_up_mesh_limit {
@@ -46,11 +46,11 @@ using Waves = std::map<double, exact::SolitaryWave>;
 struct Variant {
   std::string name;
   std::string title;
-  std::function<void(MeshWallClimb&)> change;
+  std::function<void(MeshClimb&)> change;
 };
 
 std::vector<Variant> variants() {
-  using Climb = MeshWallClimb;
+  using Climb = MeshClimb;
   return {
       {"frank", "Frank's model", [](Climb&) {}},
       {"conservative", "conservative scheme", [](Climb& c) { c.stepping = mechanics::Stepping::conservative; }},
@@ -87,7 +87,7 @@ struct Fate {
   bool reached = false;  ///< its largest run-up
   bool through = false;  ///< the whole reflection
   bool barrier = false;
-  std::optional<MeshWallRun::Tangle> tangle;
+  std::optional<MeshRun::Tangle> tangle;
 };
 
 struct Told {
@@ -120,12 +120,12 @@ std::vector<Told> tell(const Run& run, Waves& waves) {
     for (int k = 0;; ++k) {
       const double amplitude = lowest + k * step;
       if (amplitude > run.real("highest") + 1e-9) break;
-      MeshWallClimb climb =
-          MeshWallClimb::with_rows(waves.try_emplace(amplitude, amplitude).first->second, run.integer("rows"));
+      MeshClimb climb =
+          MeshClimb::with_rows(waves.try_emplace(amplitude, amplitude).first->second, run.integer("rows"));
       variant.change(climb);
-      const MeshWallRun up = climb_wall(climb);
+      const MeshRun up = climb_on_mesh(climb);
       Fate fate{.amplitude = amplitude, .runup = up.runup(), .tangle = up.tangle};
-      fate.reached = up.fell && up.climb_energy_defect.value() < energy_limit;
+      fate.reached = up.fell && up.energy_defect.value() < energy_limit;
       fate.through = !up.tangle;
       fate.barrier = climb.settings.corner_barrier > 0;
       told.fates.push_back(fate);
@@ -144,10 +144,10 @@ struct Tangled {
 };
 
 Tangled tangled(Waves& waves, double amplitude, long rows) {
-  const MeshWallClimb plain = MeshWallClimb::with_rows(waves.try_emplace(amplitude, amplitude).first->second, rows);
-  MeshWallClimb held = plain;
+  const MeshClimb plain = MeshClimb::with_rows(waves.try_emplace(amplitude, amplitude).first->second, rows);
+  MeshClimb held = plain;
   held.settings.hourglass = 0.6;
-  Tangled both{amplitude, climb_wall(plain).flow, held.start()};
+  Tangled both{amplitude, climb_on_mesh(plain).flow, held.start()};
   try {
     march(both.held, both.plain.time(), held.tau);
   } catch (const Divergence&) {  // drawn as far as it comes
@@ -245,7 +245,7 @@ auto fate_of(const std::string& variant, double amplitude, bool Fate::*is) {
 void claims(const Values& values, const Claims<Results>& all) {
   const long rows = values.integer("rows");
   // The mesh does not depend on the wave.
-  const Claims<Results> claims = all.at(MeshWallClimb::with_rows(exact::SolitaryWave(0.1), rows).resolution());
+  const Claims<Results> claims = all.at(MeshClimb::with_rows(exact::SolitaryWave(0.1), rows).resolution());
   const Qualitative reaches{
       .detector =
           "the contact point falls again before any corner inverts and before 1 % of the energy is lost or gained",
@@ -301,7 +301,7 @@ void claims(const Values& values, const Claims<Results>& all) {
         for (const Told& one : r.all) {
           for (const Fate& fate : one.fates) {
             if (fate.barrier || !fate.tangle) continue;
-            inside.add(fate.tangle->place, [](double x) { return std::abs(x) < 2 * MeshWallClimb::distance; });
+            inside.add(fate.tangle->place, [](double x) { return std::abs(x) < 2 * MeshClimb::distance; });
           }
         }
         return inside.value() / static_cast<double>(inside.samples());
