@@ -96,6 +96,10 @@ std::string MeshClimb::resolution() const {
   return fmt::format("h1 = {:g}, {} rows, tau = {:g}", spacing, rows, tau);
 }
 
+std::string MeshRun::Tangle::where() const {
+  return fmt::format("t = {:.2f}, x = {:.2f}", time, place);
+}
+
 MeshRun climb_on_mesh(const MeshClimb& climb, const std::function<void(const Flow&)>& after_step) {
   MeshRun run{.flow = climb.start()};
   Flow& flow = run.flow;
@@ -146,11 +150,8 @@ MeshRun climb_on_mesh(const MeshClimb& climb, const std::function<void(const Flo
       run.fell = level.value() >= 0.5 * climb.wave.amplitude() && flow.surface_y().back() <= fallen * level.value();
     }
   }
-  run.highest = level.value();
+  run.highest = {level.value(), still.value(), bottom.value(), force.value()};
   run.time_of_highest = level.time();
-  run.pressure_still = still.value();
-  run.pressure_bottom = bottom.value();
-  run.force = force.value();
   return run;
 }
 

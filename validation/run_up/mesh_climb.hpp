@@ -54,11 +54,31 @@ struct MeshClimb {
   [[nodiscard]] std::string resolution() const;
 };
 
+/// Largest values, between steps from the parabola through three; the loads of a wall while the wave is there.
+struct ClimbMaxima {
+  double level = std::numeric_limits<double>::quiet_NaN();   ///< of the contact point
+  double still = std::numeric_limits<double>::quiet_NaN();   ///< pressure at y = 0
+  double bottom = std::numeric_limits<double>::quiet_NaN();  ///< pressure at y = -1
+  double force = std::numeric_limits<double>::quiet_NaN();   ///< per unit width, hydrostatic pressure included
+};
+
+/// The loads, with their columns in the table of exact values.
+struct LoadMaximum {
+  std::string id, column, name, unit;
+  double ClimbMaxima::*of;
+  bool converges;  ///< by a power of the mesh
+};
+inline const std::vector<LoadMaximum> load_maxima{
+    {"still", "p_still", "pressure at y = 0", "rho g depth", &ClimbMaxima::still, false},
+    {"bottom", "p_bottom", "pressure at the bottom", "rho g depth", &ClimbMaxima::bottom, true},
+    {"force", "F", "force", "rho g depth^2", &ClimbMaxima::force, true}};
+
 struct MeshRun {
   lagrangian_mesh_2d::Flow flow;                ///< at the end, or before the step in which the mesh tangled at a wall
   std::vector<double> times = {}, levels = {};  ///< of the contact point, after every step
-  double highest = 0;                           ///< level, between steps from the parabola through three
-  double time_of_highest = 0;
+  std::vector<WallLoad> loads = {};             ///< of a wall, step by step
+  ClimbMaxima highest = {};
+  double time_of_highest = 0;          ///< level
   bool fell = false;                   ///< the water fell after that: it was the maximum
   std::vector<double> x = {}, y = {};  ///< nodes, after the step in which the contact point was highest
   Worst energy_defect;                 ///< largest change over the wave's energy until then, with its time
@@ -66,17 +86,15 @@ struct MeshRun {
   struct Tangle {
     double time = 0;
     double place = 0;
+
+    /// "t = 12.34, x = -0.10".
+    [[nodiscard]] std::string where() const;
   };
   std::optional<Tangle> tangle = {};  ///< the first
 
-  std::vector<WallLoad> loads = {};  ///< of a wall, step by step
-  /// Largest values while the wave is at the wall, between steps likewise.
-  double pressure_still = 0;   ///< at y = 0
-  double pressure_bottom = 0;  ///< at y = -1
-  double force = 0;            ///< per unit width, hydrostatic pressure included
-
   /// NaN unless the water fell after its highest.
-  [[nodiscard]] double runup() const { return fell ? highest : std::numeric_limits<double>::quiet_NaN(); }
+  [[nodiscard]] ClimbMaxima reached() const { return fell ? highest : ClimbMaxima{}; }
+  [[nodiscard]] double runup() const { return reached().level; }
 };
 
 /// At a wall until the crest would be as far behind it as half its distance at the start, or until the mesh tangles; on

@@ -369,7 +369,7 @@ void show_one(const MeshClimb& climb, const MeshRun& run, evidence::Exhibit& exh
   add_panel(exhibit, "shoreline", "Elevation of the contact point", title,
             {.x = "t [sqrt(depth/g)]", .y = "elevation [depth]"})
       .line("contact point", run.times, run.levels);
-  const double highest = run.fell ? run.highest : largest(run.levels);
+  const double highest = run.fell ? run.runup() : largest(run.levels);
   const MeshWindow window{climb.toe - 4, climb.toe + (1 + 1.1 * highest) / climb.tan_slope};
   draw_mesh(
       add_panel(exhibit, "mesh", "The mesh at the maximum run-up", title, mesh_axes("", window), {"frank-slopes-2d"}),

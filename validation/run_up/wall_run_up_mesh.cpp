@@ -61,34 +61,25 @@ std::optional<double> tabled_runup(const Values& values) {
 
 /// What the meshes give, the one that was asked for last; NaN where one tangles before its largest run-up.
 struct Sequence {
-  std::vector<double> spacing, runup, still, bottom, force;
+  std::vector<double> spacing;
+  std::vector<ClimbMaxima> maxima;
 
   void add(const MeshClimb& climb, const MeshRun& run) {
-    const double reached = run.fell ? 1 : nan;
     spacing.push_back(climb.spacing);
-    runup.push_back(run.runup());
-    still.push_back(reached * run.pressure_still);
-    bottom.push_back(reached * run.pressure_bottom);
-    force.push_back(reached * run.force);
+    maxima.push_back(run.reached());
   }
   /// That all meshes carried the wave to its largest run-up.
-  [[nodiscard]] bool complete() const { return !std::isnan(worst(runup)); }
-  [[nodiscard]] evidence::GridConvergence limit(std::vector<double> Sequence::*values) const {
-    return evidence::grid_convergence(spacing, this->*values, 2);
+  [[nodiscard]] bool complete() const { return !std::isnan(worst(each(maxima, &ClimbMaxima::level))); }
+  [[nodiscard]] evidence::GridConvergence limit(double ClimbMaxima::*of) const {
+    return evidence::grid_convergence(spacing, each(maxima, of), 2);
   }
-  [[nodiscard]] std::vector<double> errors(std::vector<double> Sequence::*values, double exact) const {
-    return each(this->*values, [&](const double value) { return std::abs(value - exact); });
+  [[nodiscard]] Measurement finest(double ClimbMaxima::*of) const {
+    return {.value = maxima.back().*of, .uncertainty = limit(of).uncertainty};
+  }
+  [[nodiscard]] std::vector<double> errors(double ClimbMaxima::*of, double exact) const {
+    return each(maxima, [&](const ClimbMaxima& one) { return std::abs(one.*of - exact); });
   }
 };
-
-struct Load {
-  std::string id, column, name, unit;
-  std::vector<double> Sequence::*values;
-  bool converges;  ///< by a power of the mesh
-};
-const std::vector<Load> loads{{"still", "p_still", "pressure at y = 0", "rho g depth", &Sequence::still, false},
-                              {"bottom", "p_bottom", "pressure at the bottom", "rho g depth", &Sequence::bottom, true},
-                              {"force", "F", "force", "rho g depth^2", &Sequence::force, true}};
 
 struct Results {
   MeshClimb climb;
@@ -96,8 +87,6 @@ struct Results {
   Sequence all;
   double exact;  ///< NaN where it is not known
   bool tabled;   ///< known beforehand
-
-  [[nodiscard]] std::vector<double> errors() const { return all.errors(&Sequence::runup, exact); }
 };
 
 void claim_holds(const MeshClimb& climb, const Claims<Results>& claims) {
@@ -113,7 +102,7 @@ void claim_holds(const MeshClimb& climb, const Claims<Results>& claims) {
           "holds", "The mesh remains untangled until the wave has left the wall.", "it does",
           [](const Results& r) -> Measurement {
             if (!r.up.tangle) return {.value = 1};
-            return {.value = 0, .where = fmt::format("t = {:.2f}, x = {:.2f}", r.up.tangle->time, r.up.tangle->place)};
+            return {.value = 0, .where = r.up.tangle->where()};
           },
           Qualitative{.detector = "no cell corner inverts",
                       .reason = "the Euler equations have a solution to the end"});
@@ -140,16 +129,13 @@ void claim_loads(const Values& values, const MeshClimb& climb, const Claims<Resu
           .only_if(row.has_value(),
                    "exact loads are tabulated for A = 0.05, 0.1, ... 0.6; from 0.55 on only a rezoned mesh lasts")
           .only_if(has_coarser(values), "coarser meshes need a number of rows that is a multiple of 8");
-  for (const Load& load : loads) {
+  for (const LoadMaximum& load : load_maxima) {
     const double exact = row ? table.column(load.column)[*row] : 0;
     known.at(fmt::format("{}, and 4 coarser meshes", climb.resolution()))
         .check(
             "load-" + load.id,
             fmt::format("The maximum {} agrees with the Euler equations within the mesh uncertainty.", load.name),
-            fmt::format("{} [{}]", load.name, load.unit),
-            [load](const Results& r) -> Measurement {
-              return {.value = (r.all.*load.values).back(), .uncertainty = r.all.limit(load.values).uncertainty};
-            },
+            fmt::format("{} [{}]", load.name, load.unit), [load](const Results& r) { return r.all.finest(load.of); },
             Uncertainty{
                 .expected = exact,
                 .data = 1e-10,
@@ -161,7 +147,7 @@ void claim_loads(const Values& values, const MeshClimb& climb, const Claims<Resu
         fmt::format("The maximum {} converges to the Euler equations at second order.", load.name),
         "order in the cell size",
         [load, exact](const Results& r) {
-          return evidence::observed_order(r.all.spacing, r.all.errors(load.values, exact));
+          return evidence::observed_order(r.all.spacing, r.all.errors(load.of, exact));
         },
         second_order(climb));
   }
@@ -179,7 +165,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
           "exact", "Maximum run-up agrees with the Euler equations within the numerical uncertainty.", "run-up [depth]",
           [](const Results& r) -> Measurement {
             if (!r.all.complete()) throw std::runtime_error("a mesh tangles before its maximum run-up");
-            Measurement runup{.value = r.all.runup.back(), .uncertainty = r.all.limit(&Sequence::runup).uncertainty};
+            Measurement runup = r.all.finest(&ClimbMaxima::level);
             if (!r.tabled) runup.told.expected = r.exact;
             return runup;
           },
@@ -190,7 +176,10 @@ void claims(const Values& values, const Claims<Results>& claims) {
                                 "computed where not tabulated; run-up below 3 A up to A = 0.6"});
   known.check(
       "order", "Maximum run-up converges to the Euler equations at second order.", "order in the cell size",
-      [](const Results& r) { return evidence::observed_order(r.all.spacing, r.errors()); }, second_order(climb));
+      [](const Results& r) {
+        return evidence::observed_order(r.all.spacing, r.all.errors(&ClimbMaxima::level, r.exact));
+      },
+      second_order(climb));
   claim_loads(values, climb, claims);
 }
 
@@ -244,26 +233,26 @@ void draw_wall(const MeshClimb& climb, const MeshRun& up, evidence::Exhibit& exh
 }
 
 void show_convergence(const Results& r, evidence::Exhibit& exhibit) {
-  exhibit.measure("runup_extrapolated", r.all.limit(&Sequence::runup).extrapolated);
+  exhibit.measure("runup_extrapolated", r.all.limit(&ClimbMaxima::level).extrapolated);
   if (std::isnan(r.exact)) return;
   const double amplitude = r.climb.wave.amplitude();
   exhibit.measure("su_mirie", exact::WallRunup::su_mirie(amplitude));
   auto& panel = add_panel(exhibit, "convergence", "Convergence of the run-up",
                           fmt::format("A = {:g}, exact value {:.6f}.", amplitude, r.exact),
                           {.x = "h1 [depth]", .y = "|R - R_exact| [depth]", .log_x = true, .log_y = true});
-  const std::vector<double> error = r.errors();
+  const std::vector<double> error = r.all.errors(&ClimbMaxima::level, r.exact);
   panel.points("mesh", r.all.spacing, error, Role::computed);
   slope_guide(panel, 2, r.all.spacing, error.back());
 }
 
 void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
   const MeshRun& up = r.up;
-  exhibit.measure("highest", up.highest);
+  exhibit.measure("highest", up.highest.level);
   if (up.fell) exhibit.measure("runup", up.runup());
   exhibit.measure("time_of_maximum", up.time_of_highest);
-  exhibit.measure("pressure_still_water_level", up.pressure_still);
-  exhibit.measure("pressure_bottom", up.pressure_bottom);
-  exhibit.measure("force", up.force);
+  exhibit.measure("pressure_still_water_level", up.highest.still);
+  exhibit.measure("pressure_bottom", up.highest.bottom);
+  exhibit.measure("force", up.highest.force);
   exhibit.measure("worst_corner_at_runup", up.worst_shape.value());
   if (up.tangle) {
     exhibit.measure("tangle_time", up.tangle->time);

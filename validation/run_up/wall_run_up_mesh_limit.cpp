@@ -183,9 +183,8 @@ void tabulate(const std::vector<Told>& all, const io::Table& exact, evidence::Ex
         exhibit.measure(fmt::format("{}_a_{:g}_over_exact_less_1", told.variant.name, amplitude), error);
       }
       row.emplace_back(fate == nullptr ? std::string("not tried")
-                       : fate->through
-                           ? std::string("through")
-                           : fmt::format("t = {:.2f}, x = {:.2f}", fate->tangle->time, fate->tangle->place));
+                       : fate->through ? std::string("through")
+                                       : fate->tangle->where());
     }
     for (const auto& [what, is] : {std::pair{"run_up", &Fate::reached}, std::pair{"reflection", &Fate::through}}) {
       const std::optional<double> largest = told.largest(is);
@@ -237,7 +236,7 @@ auto fate_of(const std::string& variant, double amplitude, bool Fate::*is) {
     const Fate* fate = find(r.all, variant).at(amplitude);
     if (fate == nullptr) throw std::logic_error(fmt::format("A = {:g} was not tried", amplitude));
     Measurement so{.value = fate->*is ? 1.0 : 0.0};
-    if (fate->tangle) so.where = fmt::format("t = {:.2f}, x = {:.2f}", fate->tangle->time, fate->tangle->place);
+    if (fate->tangle) so.where = fate->tangle->where();
     return so;
   };
 }
