@@ -31,6 +31,7 @@ nodes only instead of whole fronts, the run-up of C at the sides is two to four 
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 
 #include <fmt/format.h>
@@ -74,15 +75,9 @@ struct Passed {
   double height = 0;  // [m]
   double spacing = 0;
   std::vector<double> time, front, back;  // elevation of the shoreline over the height
-  Worst energy_defect;                    // what friction and rezoning take
-  double energy_of_rezoning = 0;          // relative to the first
-  long rezoned = 0;                       // times
-  long refused = 0;                       // times it could not be
-  long halved = 0;                        // steps
-  double displaced = 0;                   // by rezoning, of all water
-  Worst volume_defect;                    // relative, of the worst cell
   std::optional<double> tangled;          // when [s]
   RunupEnvelope envelope;                 // run-up of the markers
+  std::map<std::string, double> numbers;  // what else the report shows
 
   /// Run-up over the height.
   [[nodiscard]] double at(double place) const { return envelope.at(place) / height; }
@@ -108,6 +103,7 @@ Passed pass(const ConicalIsland& island, double spacing, double height, const Ob
   Passed passed{.height = height, .spacing = spacing, .envelope = RunupEnvelope(flow.flow())};
   const double energy = flow.energy();
   const double end = island.passage() + after_passage;
+  Worst energy_defect;  // what friction and rezoning take
   try {
     march(flow, end, island.step(), [&] {
       const Flow& now = flow.flow();
@@ -115,23 +111,24 @@ Passed pass(const ConicalIsland& island, double spacing, double height, const Ob
       passed.time.push_back(flow.time());
       passed.front.push_back(now.z()[0] / passed.height);
       passed.back.push_back(now.z()[now.shape().columns] / passed.height);
-      passed.energy_defect.add(flow.energy() / energy - 1, flow.time());
+      energy_defect.add(flow.energy() / energy - 1, flow.time());
       if (observe) observe(now, flow.time());
     });
   } catch (const Divergence&) {
     passed.tangled = flow.time();
   }
-  passed.rezoned = flow.rezoned();
-  passed.refused = flow.refused();
-  passed.halved = flow.halved();
-  passed.displaced = flow.displaced() / flow.flow().model().mass();
-  passed.energy_of_rezoning = flow.lost() / energy;
   const auto& model = flow.flow().model();
   std::vector<double> defects(model.shape().cells());
   model.constraint_values(flow.flow().state().q, defects);
-  for (std::size_t cell = 0; cell < defects.size(); ++cell) {
-    passed.volume_defect.add(defects[cell] / model.first_volumes()[cell]);
-  }
+  const auto defect = [&](std::size_t cell) { return defects[cell] / model.first_volumes()[cell]; };
+  passed.numbers = {{"energy_defect", energy_defect.value()},
+                    {"energy_of_rezoning", flow.lost() / energy},
+                    {"rezoned", static_cast<double>(flow.rezoned())},
+                    {"refused", static_cast<double>(flow.refused())},
+                    {"halved", static_cast<double>(flow.halved())},  // steps
+                    {"displaced", flow.displaced() / model.mass()},  // of all water
+                    {"volume_defect", over<Worst>(indices(defects.size()), defect).value()}};
+  if (passed.tangled) passed.numbers["tangle_time"] = *passed.tangled;
   return passed;
 }
 
@@ -351,16 +348,10 @@ void draw_shown(evidence::Exhibit& exhibit, const Results& r, double height) {
 
 void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   draw_shown(exhibit, r, values.real("height"));
-  for (std::size_t k = 0; k < r.passed.size(); ++k) {
-    const Passed& passed = r.passed[k].front();
-    exhibit.measure("energy_defect_" + waves[k].name, passed.energy_defect.value());
-    exhibit.measure("energy_of_rezoning_" + waves[k].name, passed.energy_of_rezoning);
-    exhibit.measure("rezoned_" + waves[k].name, static_cast<double>(passed.rezoned));
-    exhibit.measure("refused_" + waves[k].name, static_cast<double>(passed.refused));
-    exhibit.measure("halved_" + waves[k].name, static_cast<double>(passed.halved));
-    exhibit.measure("displaced_" + waves[k].name, passed.displaced);
-    exhibit.measure("volume_defect_" + waves[k].name, passed.volume_defect.value());
-    if (passed.tangled) exhibit.measure("tangle_time_" + waves[k].name, *passed.tangled);
+  for (const std::size_t k : indices(r.passed.size())) {
+    for (const auto& [name, number] : r.passed[k].front().numbers) {
+      exhibit.measure(fmt::format("{}_{}", name, waves[k].name), number);
+    }
   }
   draw_runup(exhibit, r, values.table("conical_island_runup"));
 }

@@ -85,13 +85,11 @@ struct GaussClimbRun {
   bool fell = false;   ///< the water fell after that: it was the maximum
   std::vector<double> times, levels;
   GaussFrame at_highest, at_end;
-  double wave_energy = 1;     ///< that the run began with
   double energy_defect = 0;   ///< largest after booking what the penalty took, over the wave's energy
   double penalty_loss = 0;    ///< over the wave's energy
   double beyond = 0;          ///< farthest place of a particle behind bottom and walls, after any step
   double free_particles = 0;  ///< most of them in any step
   double particles = 0;
-  long steps = 0;
 
   /// NaN unless the water fell after its highest.
   [[nodiscard]] double runup() const { return fell ? highest : nan; }
@@ -174,7 +172,7 @@ GaussClimbRun climb(const GaussClimb& climb) {
   gauss_particles::Flow flow = climb.start();
   GaussClimbRun run;
   run.particles = static_cast<double>(flow.model().size() - flow.markers().size());
-  run.wave_energy = climb.wave.kinetic_energy() + climb.wave.potential_energy();
+  const double wave_energy = climb.wave.kinetic_energy() + climb.wave.potential_energy();  // that the run begins with
   const double arrival = (climb.crest() - 3) / climb.wave.speed();
   const double latest = (climb.crest() + 4 * climb.cot_slope + 10) / climb.wave.speed();
   const double edge = climb.cot_slope == 0 ? climb.toe() - climb.spacing() : climb.toe();
@@ -201,11 +199,10 @@ GaussClimbRun climb(const GaussClimb& climb) {
     run.fell = run.highest > climb.wave.amplitude() && run.levels.back() < 0.98 * run.highest;
   }
   run.at_end = GaussFrame(flow, climb.toe() - shown);
-  run.energy_defect = flow.ledger().largest_defect("energy") / run.wave_energy;
-  run.penalty_loss = flow.model().penalty_loss() / run.wave_energy;
+  run.energy_defect = flow.ledger().largest_defect("energy") / wave_energy;
+  run.penalty_loss = flow.model().penalty_loss() / wave_energy;
   run.beyond = beyond.value();
   run.free_particles = flow.most_free_particles();
-  run.steps = flow.steps();
   return run;
 }
 
