@@ -118,19 +118,13 @@ struct Told {
   RunDown fate;
 };
 
-SolitaryClimb climb_of(const Values& values, Wave wave, double spacing) {
-  SolitaryClimb climb = climb_from(values, wave.cot_slope, wave.amplitude);
-  climb.spacing = spacing;
-  return climb;
-}
-
 /// All with two spacings.
 std::vector<Told> tell(const Run& run) {
   std::vector<Told> all;
   const double spacing = run.real("h");
   for (const double h : {spacing, spacing / 2}) {
     for (const Wave& wave : told) {
-      all.push_back({wave, h, run_down(climb_of(run, wave, h))});
+      all.push_back({wave, h, run_down(climb_from(run, wave.cot_slope, wave.amplitude, h))});
       run.progress(0.6 * static_cast<double>(all.size()) / static_cast<double>(2 * told.size()));
     }
   }
@@ -155,7 +149,7 @@ std::vector<Mapped> map_fates(const Run& run) {
       const Wave wave{cot_slope, ratio * backwash_limit(cot_slope)};
       run.progress(0.6 + 0.4 * ++done / static_cast<double>(mapped_slopes.size() * ratios.size()));
       if (wave.amplitude > highest) continue;
-      all.push_back({wave, run_down(climb_of(run, wave, run.real("h")))});
+      all.push_back({wave, run_down(climb_from(run, wave.cot_slope, wave.amplitude))});
     }
   }
   return all;

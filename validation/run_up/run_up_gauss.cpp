@@ -31,7 +31,6 @@ there than at a wall.
 
 #include <fmt/format.h>
 
-#include "reports/evidence/grid_convergence.hpp"
 #include "reports/evidence/record.hpp"
 #include "reports/evidence/slope_guide.hpp"
 #include "seiche/exact/overturning/slope_runup.hpp"
@@ -237,11 +236,10 @@ GaussClimb coarser(GaussClimb climb, long part) {
 struct Results {
   GaussClimb climb;
   GaussClimbRun finest;
-  std::vector<double> spacing, runup;  ///< of all lattices, the finest last
+  RunUpSequence lattices;  ///< the finest last
   double exact = nan;
 
-  [[nodiscard]] evidence::GridConvergence limit() const { return evidence::grid_convergence(spacing, runup, 2); }
-  [[nodiscard]] double last_change() const { return runup.back() / runup[runup.size() - 2] - 1; }
+  [[nodiscard]] double last_change() const { return lattices.height.back() / lattices.height.end()[-2] - 1; }
 };
 
 std::optional<double> tabled(const Values& values, const std::string& name, const std::string& column) {
@@ -310,7 +308,7 @@ void claims(const Values& values, const Claims<Results>& all) {
       .check(
           "exact", "Maximum run-up agrees with the Euler equations within the numerical uncertainty.", "run-up [depth]",
           [tabled = exact.has_value()](const Results& r) -> Measurement {
-            Measurement runup{.value = r.runup.back(), .uncertainty = r.limit().uncertainty};
+            Measurement runup{.value = r.lattices.height.back(), .uncertainty = r.lattices.limit().uncertainty};
             if (!tabled) runup.told.expected = r.exact;
             return runup;
           },
@@ -350,14 +348,14 @@ Results compute(const Run& run) {
   if (has_coarser(run)) {
     for (const long part : {2L, 3L}) {
       const GaussClimb one = coarser(r.climb, part);
-      r.spacing.push_back(one.spacing());
-      r.runup.push_back(climb(one).runup());
+      r.lattices.spacing.push_back(one.spacing());
+      r.lattices.height.push_back(climb(one).runup());
       run.progress(part == 2 ? 0.05 : 0.3);
     }
   }
   r.finest = climb(r.climb);
-  r.spacing.push_back(r.climb.spacing());
-  r.runup.push_back(r.finest.runup());
+  r.lattices.spacing.push_back(r.climb.spacing());
+  r.lattices.height.push_back(r.finest.runup());
   if (is_known(r.climb)) {
     const auto known = tabled_exact(run);
     r.exact = known ? *known : computed_exact(r.climb);
@@ -386,17 +384,18 @@ void draw(const Results& r, evidence::Exhibit& exhibit) {
 }
 
 void draw_convergence(const Results& r, evidence::Exhibit& exhibit) {
-  exhibit.measure("runup_extrapolated", r.limit().extrapolated);
+  exhibit.measure("runup_extrapolated", r.lattices.limit().extrapolated);
   auto& figure = exhibit.figure("convergence", "Convergence of the run-up",
                                 "Cells and particles per cell side are refined together.");
   if (std::isnan(r.exact)) {
-    figure.panel({.x = "h [depth]", .y = "R [depth]"}).points("particles", r.spacing, r.runup, Role::computed);
+    figure.panel({.x = "h [depth]", .y = "R [depth]"})
+        .points("particles", r.lattices.spacing, r.lattices.height, Role::computed);
     return;
   }
-  const std::vector<double> errors = each(r.runup, [&](double runup) { return std::abs(runup - r.exact); });
+  const std::vector<double> errors = each(r.lattices.height, [&](double runup) { return std::abs(runup - r.exact); });
   auto& panel = figure.panel({.x = "h [depth]", .y = "|R - R_exact| [depth]", .log_x = true, .log_y = true});
-  panel.points("particles", r.spacing, errors, Role::computed);
-  slope_guide(panel, 2, r.spacing, errors.back());
+  panel.points("particles", r.lattices.spacing, errors, Role::computed);
+  slope_guide(panel, 2, r.lattices.spacing, errors.back());
 }
 
 void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
@@ -416,7 +415,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
     exhibit.measure("runup_law", runup_law(r.climb.cot_slope, r.climb.wave.amplitude()));
   }
   draw(r, exhibit);
-  if (r.spacing.size() > 2) draw_convergence(r, exhibit);
+  if (r.lattices.spacing.size() > 2) draw_convergence(r, exhibit);
   r.finest.at_highest.add_to(exhibit, "depth");
   r.finest.at_end.add_to(exhibit, "depth");
 }

@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "seiche/exact/model_waves.hpp"
 #include "validation/instruments/peak.hpp"
 
 namespace seiche::validation {
@@ -62,6 +61,7 @@ std::string SolitaryClimb::resolution() const {
 
 RunUp run_up(const SolitaryClimb& climb, const ClimbWatch& watch) {
   dispersive::Flow flow = climb.start();
+  RunUp run;
   Peak edge;
   edge.add(flow.time(), flow.y().back());
   // The water's edge rises above the wave's own height: what was before was not the run-up.
@@ -69,14 +69,24 @@ RunUp run_up(const SolitaryClimb& climb, const ClimbWatch& watch) {
   while (flow.time() < watch.latest && !fell()) {
     flow.advance(climb.step(flow));
     edge.add(flow.time(), flow.y().back());
+    run.times.push_back(flow.time());
+    run.levels.push_back(flow.y().back());
     if (watch.after_step) watch.after_step(flow);
   }
-  RunUp run;
   if (fell()) {
     run.height = edge.value();
     run.time = edge.time();
   }
   return run;
+}
+
+RunUpSequence run_ups(SolitaryClimb climb, const std::vector<double>& spacings) {
+  RunUpSequence sequence{.spacing = spacings};
+  for (const double spacing : spacings) {
+    climb.spacing = spacing;
+    sequence.height.push_back(run_up(climb).height);
+  }
+  return sequence;
 }
 
 Parameter scheme_parameter() {
@@ -102,7 +112,7 @@ std::vector<Parameter> slope_parameters() {
   };
 }
 
-SolitaryClimb climb_from(const Values& values, double cot_slope, double amplitude) {
+SolitaryClimb climb_from(const Values& values, double cot_slope, double amplitude, std::optional<double> spacing) {
   SolitaryClimb climb{.cot_slope = cot_slope, .amplitude = amplitude};
   for (const Parameter& one : values.declared()) {
     if (one.name == "h") climb.spacing = values.real(one.name);
@@ -115,6 +125,7 @@ SolitaryClimb climb_from(const Values& values, double cot_slope, double amplitud
       climb.kinetics = dispersive::Kinetics::green_naghdi;
     }
   }
+  climb.spacing = spacing.value_or(climb.spacing);
   return climb;
 }
 

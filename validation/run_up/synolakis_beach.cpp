@@ -111,8 +111,7 @@ std::vector<Breaking> follow_breaking(const Run& run, const Profiles& laboratory
   constexpr double fine_step = 1.0 / 16;  // of the spacing: the front is steep
   std::vector<Breaking> all;
   for (const double spacing : {0.5, 0.25, 0.125}) {
-    SolitaryClimb climb = climb_from(run, cot_slope, breaking_amplitude);
-    climb.spacing = spacing;
+    SolitaryClimb climb = climb_from(run, cot_slope, breaking_amplitude, spacing);
     climb.tau_over_spacing = fine_step;
     all.push_back({spacing, follow(climb, laboratory)});
   }
@@ -121,12 +120,11 @@ std::vector<Breaking> follow_breaking(const Run& run, const Profiles& laboratory
 
 /// The same wave with breaking and friction, to the end of the run-down.
 Followed follow_closure(const Run& run, const Profiles& laboratory) {
-  SolitaryClimb climb = climb_from(run, cot_slope, breaking_amplitude);
+  SolitaryClimb climb = climb_from(run, cot_slope, breaking_amplitude, 0.125);
   climb.kinetics = dispersive::Kinetics::green_naghdi;
   climb.tip_mass = dispersive::TipMass::consistent;
   climb.friction = {dispersive::FrictionLaw::manning, 0.038};
   climb.breaking = dispersive::Breaking{};
-  climb.spacing = 0.125;
   Profiles wanted = laboratory;
   wanted[80] = {};
   return follow(climb, wanted);
