@@ -24,6 +24,7 @@ sign of friction.
 */
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <ranges>
 
@@ -98,14 +99,10 @@ std::vector<Row> printed_rows(const Values& values) {
 }
 
 /// Root mean square of what `of` says of the rows that count.
-template <class Of, class Counts>
-double rms(const std::vector<Row>& rows, const Of& of, const Counts& counts) {
-  auto those = rows | std::views::filter(counts);
-  return over<Mean>(those, of).rms();
-}
-template <class Of>
-double rms(const std::vector<Row>& rows, const Of& of) {
-  return over<Mean>(rows, of).rms();
+double rms(
+    const std::vector<Row>& rows, const std::function<double(const Row&)>& of,
+    const std::function<bool(const Row&)>& counts = [](const Row&) { return true; }) {
+  return over<Mean>(each(rows | std::views::filter(counts), of), std::identity{}).rms();
 }
 
 struct Results {
