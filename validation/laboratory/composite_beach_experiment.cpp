@@ -59,11 +59,9 @@ Submitted compute(const Run& run, const Wave& wave, double coarsening) {
 
 Experiment composite_beach_experiment(const std::string& letter) {
   const Wave wave = wave_of(letter);
-  Series gauges{.name = "gauges",
-                .table = wave.table,
+  Series gauges{.table = wave.table,
                 .group = Column{"gauge", "1", "number"},
                 .abscissa = {"t", "s", "time of the experiment"},
-                .quantity = {"eta", "m", "surface elevation"},
                 .still = Window{265, 267},
                 .input = 0.02,
                 .input_reason = "calibration of the gauges, estimated",

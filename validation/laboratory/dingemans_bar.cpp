@@ -44,11 +44,9 @@ Submitted compute(const Run& run, double coarsening) {
 }
 
 Experiment experiment(const Values& /*values*/) {
-  Series part{.name = "gauges",
-              .table = "dingemans_1994_bar",
+  Series part{.table = "dingemans_1994_bar",
               .group = Column{"x", "m", "distance from the wavemaker"},
               .abscissa = {"t", "s", "time"},
-              .quantity = {"eta", "m", "surface elevation"},
               .input = 0.03,
               .input_reason =
                   "amplitudes at the end of the record at the two gauges before the bar differ by 7 %: reflection from "

@@ -14,11 +14,9 @@ namespace seiche::validation::cases::fission_on_shelf {
 using namespace laboratory;
 
 Experiment experiment(const Values& /*values*/) {
-  Series part{.name = "gauges",
-              .table = "matsuyama_2007_fission",
+  Series part{.table = "matsuyama_2007_fission",
               .group = Column{"x", "m", "distance from the still-water shoreline, negative offshore"},
               .abscissa = {"t", "s", "time since the wavemaker starts"},
-              .quantity = {"eta", "m", "surface elevation"},
               .input = 0.02,
               .input_reason = "motion of the paddle, estimated",
               .telling = 1.5};

@@ -47,7 +47,6 @@ Experiment experiment(const Values& /*values*/) {
               .kind = WantedTable::Kind::profile,
               .group = Column{"t", "s", "time of the experiment"},
               .abscissa = {"x", "m", "distance along the window"},
-              .quantity = {"eta", "m", "surface elevation"},
               .input = 0.02,
               .input_reason = "variation of the area of the profiles, which should be constant: 2.2 %",
               .telling = 0.05};

@@ -96,11 +96,9 @@ Submitted compute(const Run& run, double coarsening) {
 
 Experiment experiment(const Values& values) {
   const Wave wave = wave_of(values);
-  Series gauges{.name = "gauges",
-                .table = wave.table,
+  Series gauges{.table = wave.table,
                 .group = Column{"gauge", "1", "number"},
                 .abscissa = {"t", "s", "time of the experiment"},
-                .quantity = {"eta", "m", "surface elevation"},
                 .still = Window{20, 22.5},
                 .input = 0.02,
                 .input_reason = "height of the wave along its crest",

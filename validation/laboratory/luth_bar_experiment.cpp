@@ -63,11 +63,9 @@ Experiment luth_bar_experiment(const std::string& letter) {
   const bool long_wave = letter == "A";
   const BarWave& wave = long_wave ? wave_a : wave_c;
   const Window window{0.51 * wave.period, 0.51 * wave.period + wave.periods * wave.period};
-  Series part{.name = "gauges",
-              .table = wave.table,
+  Series part{.table = wave.table,
               .group = Column{"x", "m", "distance from the wavemaker"},
               .abscissa = {"t", "s", "time"},
-              .quantity = {"eta", "m", "surface elevation"},
               .input = wave.input,
               .input_reason = wave.input_reason,
               .clock = Clock{.group = 2, .range = wave.period / 2, .window = window},

@@ -15,11 +15,9 @@ namespace seiche::validation::cases::monai_valley {
 using namespace laboratory;
 
 Experiment experiment(const Values& /*values*/) {
-  Series gauges{.name = "gauges",
-                .table = "matsuyama_tanaka_2001_monai_valley",
+  Series gauges{.table = "matsuyama_tanaka_2001_monai_valley",
                 .group = Column{"gauge", "1", "number"},
                 .abscissa = {"t", "s", "time of the incident wave"},
-                .quantity = {"eta", "m", "surface elevation"},
                 .still = Window{10, 12},
                 .telling = 1.5};
   for (const double gauge : {5, 7, 9}) {

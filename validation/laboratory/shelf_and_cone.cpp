@@ -17,11 +17,9 @@ using namespace laboratory;
 
 Experiment experiment(const Values& /*values*/) {
   const Column time{"t", "s", "time of the experiment"};
-  Series gauges{.name = "gauges",
-                .table = "lynett_2010_shelf_cone",
+  Series gauges{.table = "lynett_2010_shelf_cone",
                 .group = Column{"gauge", "1", "number"},
                 .abscissa = time,
-                .quantity = {"eta", "m", "surface elevation"},
                 .telling = 1.5,
                 .origin = 3.62,
                 .clock = Clock{.group = 1, .range = 1.5, .window = {1, 6}}};

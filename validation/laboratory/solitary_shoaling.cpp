@@ -38,8 +38,7 @@ Submitted compute(const Run& run, double coarsening) {
 }
 
 Experiment experiment(const Values& /*values*/) {
-  Series part{.name = "gauges",
-              .table = "grilli_1994_solitary_shoaling",
+  Series part{.table = "grilli_1994_solitary_shoaling",
               .group = Column{"x", "1", "distance from the toe of the slope, in depths"},
               .abscissa = {"T", "1", "time t sqrt(g/depth)"},
               .quantity = {"eta", "1", "elevation over the depth"},
