@@ -67,10 +67,6 @@ std::size_t waves_in(Tier tier) {
   return tier == Tier::quick ? 1 : waves.size();
 }
 
-io::Table measured(const io::Table& table, double height) {
-  return rows_where(table, {{"H_over_d", height}});
-}
-
 struct Passed {
   double height = 0;  // [m]
   double spacing = 0;
@@ -90,10 +86,6 @@ struct Passed {
     return envelope.time(marker) < *tangled - 0.25;
   }
 };
-
-std::string resolution(double spacing, double step) {
-  return fmt::format("columns {:g} m wide, tau = {:.3g} s", spacing, step);
-}
 
 using Observe = std::function<void(const Flow& flow, double time)>;
 
@@ -251,13 +243,11 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const double spacing = finest_spacing(values);
   for (std::size_t k = 0; k < waves_in(values.tier()); ++k) {
     const double step = ConicalIsland({.height = waves[k].height, .spacing = spacing}).step();
-    const auto wave = claims.at(resolution(spacing, step));
-    const auto spacings = wave.of(&Results::passed).entry(k);
-    claim_runup(spacings, waves[k], spacing, measured(table, waves[k].stated));
+    const auto spacings =
+        claims.at(fmt::format("columns {:g} m wide, tau = {:.3g} s", spacing, step)).of(&Results::passed).entry(k);
+    claim_runup(spacings, waves[k], spacing, rows_where(table, {{"H_over_d", waves[k].stated}}));
     claim_whole(spacings, waves[k], spacing);
-    if (waves[k].name == "A") {
-      claim_lee(wave.of([k](const Results& r) -> const Passed& { return r.passed.at(k).front(); }));
-    }
+    if (waves[k].name == "A") claim_lee(spacings.entry(0));
   }
 }
 
@@ -299,7 +289,7 @@ void draw_runup(evidence::Exhibit& exhibit, const Results& r, const io::Table& t
                                 "to tangling, if any; the shallow-water model of Liu et al. (1995).");
   for (std::size_t k = 0; k < r.passed.size(); ++k) {
     const Passed& passed = r.passed[k].front();
-    const io::Table data = measured(table, waves[k].stated);
+    const io::Table data = rows_where(table, {{"H_over_d", waves[k].stated}});
     auto& panel = figure.panel(
         {.x = "angle [deg]", .y = "R/A", .title = fmt::format("{}: A/h = {:g}", waves[k].name, waves[k].nominal)});
     const std::vector<double> highest = passed.envelope.runup();

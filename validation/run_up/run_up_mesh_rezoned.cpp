@@ -79,23 +79,9 @@ struct Climbed {
   Climb climb;
   std::vector<Reached> on = {};  ///< the meshes, from coarse to fine
 
-  template <class Of>
-  [[nodiscard]] std::vector<double> each(const Of& of) const {
-    return validation::each(on, of);
-  }
-  [[nodiscard]] std::vector<double> spacings() const { return each(&Reached::spacing); }
-  /// Of the finest mesh's value, from the change from mesh to mesh.
-  template <class Of>
-  [[nodiscard]] Measurement finest(const Of& of, double order) const {
-    const std::vector<double> values = each(of);
-    return {.value = values.back(), .uncertainty = evidence::grid_convergence(spacings(), values, order).uncertainty};
-  }
+  [[nodiscard]] std::vector<double> spacings() const { return each(on, &Reached::spacing); }
 };
 using Results = std::vector<Climbed>;
-
-const Climbed& find(const Results& all, const std::string& id) {
-  return *std::ranges::find_if(all, [&](const Climbed& one) { return one.climb.id() == id; });
-}
 
 double exact_runup(const Values& values, const Climb& climb) {
   const auto found = climb.wall() ? entry_where(values.table("wall_runup_exact"), {{"a", climb.amplitude}}, "R")
@@ -108,29 +94,29 @@ std::string resolution(long rows) {
   return fmt::format("h1 = {:g}, {} rows", 2 / static_cast<double>(rows), rows);
 }
 
-void claim_whole(const Climb& climb, const Claims<Results>& claims) {
+void claim_whole(const Climb& climb, const Claims<Climbed>& claims) {
   claims.check(
       "whole-" + climb.id(),
       fmt::format("The mesh remains untangled {1} ({0}).", climb.title(),
                   climb.wall() ? "until the wave has left the wall" : "until the water has fallen"),
       "meshes that tangle",
-      [id = climb.id()](const Results& all) {
-        Count tangled;
-        for (const Reached& one : find(all, id).on) {
-          tangled.add(one.spacing, [&](double) { return one.tangled || std::isnan(one.runup); });
-        }
-        return tangled.value();
+      [](const Climbed& all) {
+        return std::ranges::count_if(all.on, [](const Reached& one) { return one.tangled || std::isnan(one.runup); });
       },
       Bound{.limit = 0, .reason = "zero: the Euler equations have a solution to the end"});
 }
 
-void claim_runup(const Climb& climb, double exact, long rows, const Claims<Results>& claims) {
+void claim_runup(const Climb& climb, double exact, long rows, const Claims<Climbed>& claims) {
   claims.only_if(climb.cot_slope < 2 || rows >= fine, "fewer than 16 rows are inconclusive on a 1:2 slope")
       .check(
           "exact-" + climb.id(),
           fmt::format("The run-up agrees with the Euler equations within the mesh uncertainty ({}).", climb.title()),
           "run-up [depth]",
-          [climb](const Results& all) { return find(all, climb.id()).finest(&Reached::runup, climb.order()); },
+          [](const Climbed& all) -> Measurement {
+            const std::vector<double> runup = each(all.on, &Reached::runup);
+            return {.value = runup.back(),
+                    .uncertainty = evidence::grid_convergence(all.spacings(), runup, all.climb.order()).uncertainty};
+          },
           Uncertainty{.expected = exact,
                       .data = 1e-6,
                       .useful = 0.1 * exact,
@@ -142,10 +128,9 @@ void claim_runup(const Climb& climb, double exact, long rows, const Claims<Resul
           fmt::format("The run-up converges to the Euler equations at order {1:g} ({0}).", climb.title(),
                       climb.order()),
           "order in the cell size",
-          [climb, exact](const Results& all) {
-            const Climbed& one = find(all, climb.id());
-            return evidence::observed_order(one.spacings(),
-                                            one.each([&](const Reached& on) { return std::abs(on.runup - exact); }));
+          [exact](const Climbed& all) {
+            const auto error = [exact](const Reached& one) { return std::abs(one.runup - exact); };
+            return evidence::observed_order(all.spacings(), each(all.on, error));
           },
           Order{
               .theory = climb.order(),
@@ -155,7 +140,7 @@ void claim_runup(const Climb& climb, double exact, long rows, const Claims<Resul
                   "next term is smaller by a factor h1 only: 2 h1 for the coarsest of these meshes, half an order"});
 }
 
-void claim_energy(const Climb& climb, double tau, const Claims<Results>& claims) {
+void claim_energy(const Climb& climb, double tau, const Claims<Climbed>& claims) {
   const exact::SolitaryWave wave(climb.amplitude);
   claims.from("Frank (1994), section 1.2")
       .where("t = {:.2f}")
@@ -164,7 +149,7 @@ void claim_energy(const Climb& climb, double tau, const Claims<Results>& claims)
           fmt::format("The energy change equals the recorded loss by rezoning within (omega tau)^2/4 ({}).",
                       climb.title()),
           "largest unrecorded energy change over the wave energy",
-          [id = climb.id()](const Results& all) { return find(all, id).on.back().unbooked; },
+          [](const Climbed& all) { return all.on.back().unbooked; },
           Bound{.limit = std::pow(wave.speed() * wave.decay_rate() * tau, 2) / 4,
                 .reason = "Verlet's energy of a mode oscillates by (omega tau)^2/4; omega is the rate of rise of the "
                           "wave at a point, celerity times tail decay rate"});
@@ -172,11 +157,11 @@ void claim_energy(const Climb& climb, double tau, const Claims<Results>& claims)
 
 void claims(const Values& values, const Claims<Results>& all) {
   const long rows = values.integer("rows");
-  const Claims<Results> claims = all.at(resolution(rows));
-  for (const Climb& climb : climbs) {
-    claim_whole(climb, claims);
-    claim_runup(climb, exact_runup(values, climb), rows, claims);
-    claim_energy(climb, 0.2 / static_cast<double>(rows), claims);
+  for (const std::size_t k : indices(climbs.size())) {
+    const Claims<Climbed> claims = all.at(resolution(rows)).entry(k);
+    claim_whole(climbs[k], claims);
+    claim_runup(climbs[k], exact_runup(values, climbs[k]), rows, claims);
+    claim_energy(climbs[k], 0.2 / static_cast<double>(rows), claims);
   }
 }
 
@@ -234,8 +219,8 @@ void tabulate(const Results& all, const Values& values, evidence::Exhibit& exhib
 void draw_meshes(const Results& all, const Values& values, evidence::Exhibit& exhibit) {
   const auto rows = values.count("rows");
   auto& figure = exhibit.figure("meshes", "The mesh at the maximum run-up", resolution(values.integer("rows")) + ".");
-  for (const std::string& id : {std::string("wall-60"), std::string("cot-2-50")}) {
-    const Climbed& one = find(all, id);
+  for (const std::size_t highest : {1, 5}) {  // at the wall, on the milder slope
+    const Climbed& one = all.at(highest);
     const Reached& finest = one.on.back();
     if (finest.x.empty()) continue;
     const double shore = *std::ranges::max_element(finest.x);
@@ -253,7 +238,7 @@ void show(const Results& all, const Values& values, evidence::Exhibit& exhibit) 
   for (const Climbed& one : all) {
     const double exact = exact_runup(values, one.climb);
     panel.points(one.climb.title(), one.spacings(),
-                 one.each([&](const Reached& on) { return std::abs(on.runup / exact - 1); }),
+                 each(one.on, [&](const Reached& on) { return std::abs(on.runup / exact - 1); }),
                  one.climb.wall() ? Role::computed : Role::peer);
   }
   slope_guide(panel, 2, all.front().spacings(),
