@@ -129,7 +129,7 @@ Results compute(const Run& run) {
     if (highest.y.empty() || flow.y().back() > highest.y.back()) highest = surface_of(flow);
     run.progress(std::min(1.0, flow.time() / expected_time));
   };
-  r.up = run_up(climb, {.after_step = note, .latest = run.real("time")});
+  r.up = run_up(climb, note, run.real("time"));
   return r;
 }
 

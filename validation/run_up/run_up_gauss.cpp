@@ -70,6 +70,8 @@ struct GaussClimb {
   /// b(x), with the corner at the toe rounded over a quarter of the depth on either side, so that b'' is continuous.
   [[nodiscard]] double bottom(double x) const;
   [[nodiscard]] double bottom_slope(double x) const;
+  /// The run ends then at the latest.
+  [[nodiscard]] double latest() const { return (crest() + 4 * cot_slope + 10) / wave.speed(); }
   [[nodiscard]] double tau() const { return (cot_slope == 0 ? 0.15 : 0.12) * spacing() / wave.speed(); }
   [[nodiscard]] gauss_particles::Flow start() const;
   /// "4 cells to a depth, 12 particles to a side".
@@ -173,7 +175,6 @@ GaussClimbRun climb(const GaussClimb& climb) {
   run.particles = static_cast<double>(flow.model().size() - flow.markers().size());
   const double wave_energy = climb.wave.kinetic_energy() + climb.wave.potential_energy();  // that the run begins with
   const double arrival = (climb.crest() - 3) / climb.wave.speed();
-  const double latest = (climb.crest() + 4 * climb.cot_slope + 10) / climb.wave.speed();
   const double edge = climb.cot_slope == 0 ? climb.toe() - climb.spacing() : climb.toe();
   Largest beyond;
   const auto shore = [&] {
@@ -183,7 +184,7 @@ GaussClimbRun climb(const GaussClimb& climb) {
     }
     return level.value();
   };
-  while (!run.fell && flow.time() < latest) {
+  while (!run.fell && flow.time() < climb.latest()) {
     flow.advance(climb.tau());
     flow.observe();
     beyond.add(farthest_beyond(flow, climb));
@@ -227,12 +228,6 @@ constexpr long parts = 4;
 bool has_coarser(const Values& values) {
   return values.integer("cells") % parts == 0 && values.integer("per_cell") % parts == 0;
 }
-GaussClimb coarser(GaussClimb climb, long part) {
-  climb.cells = climb.cells * part / parts;
-  climb.per_cell = climb.per_cell * part / parts;
-  return climb;
-}
-
 struct Results {
   GaussClimb climb;
   GaussClimbRun finest;
@@ -268,13 +263,12 @@ std::optional<double> measured(const Values& values) {
 }
 
 void claim_method(const GaussClimb& climb, const Claims<GaussClimbRun>& claims) {
-  const double latest = (climb.crest() + 4 * climb.cot_slope + 10) / climb.wave.speed();
   claims.from("Frank (1994), chapter 6; exact for every space and step")
       .check(
           "energy", "The energy change equals the dissipation of the penalty, to round-off.",
           "largest energy error over the wave energy", &GaussClimbRun::energy_defect,
           Roundoff{
-              .operations = std::ceil(latest / climb.tau()),
+              .operations = std::ceil(climb.latest() / climb.tau()),
               .scale = 1,
               .reason = "one rounding per step of the kinetic and the potential energy, whose sum is the wave energy"});
   claims.from("Frank (1994), chapter 6")
@@ -347,15 +341,15 @@ Results compute(const Run& run) {
   Results r{.climb = climb_of(run)};
   if (has_coarser(run)) {
     for (const long part : {2L, 3L}) {
-      const GaussClimb one = coarser(r.climb, part);
-      r.lattices.spacing.push_back(one.spacing());
-      r.lattices.height.push_back(climb(one).runup());
+      GaussClimb coarser = r.climb;
+      coarser.cells = coarser.cells * part / parts;
+      coarser.per_cell = coarser.per_cell * part / parts;
+      r.lattices.add(coarser.spacing(), climb(coarser).runup());
       run.progress(part == 2 ? 0.05 : 0.3);
     }
   }
   r.finest = climb(r.climb);
-  r.lattices.spacing.push_back(r.climb.spacing());
-  r.lattices.height.push_back(r.finest.runup());
+  r.lattices.add(r.climb.spacing(), r.finest.runup());
   if (is_known(r.climb)) {
     const auto known = tabled_exact(run);
     r.exact = known ? *known : computed_exact(r.climb);
@@ -406,12 +400,10 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   if (!std::isnan(r.exact) && r.climb.cot_slope == 0) {
     exhibit.measure("su_mirie", exact::WallRunup::su_mirie(r.climb.wave.amplitude()));
   }
-  const auto add = [&](const std::string& name, std::optional<double> number) {
-    if (number) exhibit.measure(name, *number);
-  };
-  add("runup_measured", measured(values));
+  if (const auto found = measured(values)) exhibit.measure("runup_measured", *found);
   if (r.climb.cot_slope != 0) {
-    add("runup_mesh_in_thesis", tabled(values, "frank_1994_runup", "R_calc"));
+    const auto mesh = tabled(values, "frank_1994_runup", "R_calc");
+    if (mesh) exhibit.measure("runup_mesh_in_thesis", *mesh);
     exhibit.measure("runup_law", runup_law(r.climb.cot_slope, r.climb.wave.amplitude()));
   }
   draw(r, exhibit);

@@ -59,19 +59,20 @@ std::string SolitaryClimb::resolution() const {
   return fmt::format("h = {:g}, tau = {:g} h", spacing, tau_over_spacing);
 }
 
-RunUp run_up(const SolitaryClimb& climb, const ClimbWatch& watch) {
+RunUp run_up(const SolitaryClimb& climb, const std::function<void(const dispersive::Flow&)>& after_step,
+             double latest) {
   dispersive::Flow flow = climb.start();
   RunUp run;
   Peak edge;
   edge.add(flow.time(), flow.y().back());
   // The water's edge rises above the wave's own height: what was before was not the run-up.
   const auto fell = [&] { return edge.value() > climb.amplitude && flow.y().back() < fallen * edge.value(); };
-  while (flow.time() < watch.latest && !fell()) {
+  while (flow.time() < latest && !fell()) {
     flow.advance(climb.step(flow));
     edge.add(flow.time(), flow.y().back());
     run.times.push_back(flow.time());
     run.levels.push_back(flow.y().back());
-    if (watch.after_step) watch.after_step(flow);
+    if (after_step) after_step(flow);
   }
   if (fell()) {
     run.height = edge.value();
@@ -81,10 +82,10 @@ RunUp run_up(const SolitaryClimb& climb, const ClimbWatch& watch) {
 }
 
 RunUpSequence run_ups(SolitaryClimb climb, const std::vector<double>& spacings) {
-  RunUpSequence sequence{.spacing = spacings};
+  RunUpSequence sequence;
   for (const double spacing : spacings) {
     climb.spacing = spacing;
-    sequence.height.push_back(run_up(climb).height);
+    sequence.add(spacing, run_up(climb).height);
   }
   return sequence;
 }

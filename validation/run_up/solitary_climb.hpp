@@ -62,18 +62,18 @@ struct RunUp {
   }
 };
 
-struct ClimbWatch {
-  std::function<void(const dispersive::Flow&)> after_step = {};
-  double latest = 1e4;  ///< the run ends then at the latest
-};
-
-/// Runs until the water's edge has fallen to 0.9 of its highest. Throws Divergence.
-RunUp run_up(const SolitaryClimb& climb, const ClimbWatch& watch = {});
+/// Runs until the water's edge has fallen to 0.9 of its highest, or to a latest time. Throws Divergence.
+RunUp run_up(const SolitaryClimb& climb, const std::function<void(const dispersive::Flow&)>& after_step = {},
+             double latest = 1e4);
 
 /// Run-ups with several spacings.
 struct RunUpSequence {
   std::vector<double> spacing = {}, height = {};
 
+  void add(double h, double run_up) {
+    spacing.push_back(h);
+    height.push_back(run_up);
+  }
   [[nodiscard]] evidence::GridConvergence limit() const { return evidence::grid_convergence(spacing, height, 2); }
 };
 RunUpSequence run_ups(SolitaryClimb climb, const std::vector<double>& spacings);

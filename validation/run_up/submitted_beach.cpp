@@ -1,6 +1,8 @@
 #include <cmath>
+#include <functional>
 #include <memory>
 #include <numbers>
+#include <ranges>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -8,6 +10,7 @@
 #include "seiche/exact/solitary_runup.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/instruments/agreement.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/run_up/beach_profiles.hpp"
 
 namespace seiche::validation {
@@ -32,9 +35,7 @@ Profiles exact_gauges(const Values& values) {
 
 WantedTable wanted_curves(const Profiles& curves, WantedTable table, const Column& quantity, const std::string& file) {
   const auto kept = std::make_shared<const Profiles>(curves);
-  std::vector<double> groups;
-  for (const auto& [group, unused] : curves) groups.push_back(group);
-  table.groups = groups;
+  table.groups = each(std::views::keys(curves), std::identity{});
   table.quantities = {{.column = quantity, .reference = [kept](Place p) {
                          const Surface& curve = kept->at(p.group);
                          return linear_at({curve.x, curve.y}, p.abscissa);
