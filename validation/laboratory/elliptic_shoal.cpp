@@ -38,16 +38,6 @@ double bottom(double x, double y) {
   return std::min(z, -shallowest);
 }
 
-/// Places of a section: its number, abscissae from the shoal's centre.
-std::vector<Point> section(long number, const std::vector<double>& abscissae) {
-  std::vector<Point> places;
-  for (const double s : abscissae) {
-    const auto n = static_cast<double>(number);
-    places.push_back(number <= 5 ? Point{2 * n - 1, s} : Point{s, 2 * (n - 7)});
-  }
-  return places;
-}
-
 Submitted compute(const Run& run, double coarsening) {
   const double spacing = coarsening * run.real("spacing");
   auto flow = basin_flow({.begin = -10,
@@ -64,11 +54,13 @@ Submitted compute(const Run& run, double coarsening) {
   march(flow, settled, period / static_cast<double>(steps));
   std::vector<SubmittedGroup> groups;
   std::vector<Point> places;
-  for (long number = 1; number <= 8; ++number) {
-    SubmittedGroup group{.value = static_cast<double>(number)};
-    for (double k = 0; k <= 100; ++k) group.abscissa.push_back(number <= 5 ? 0.1 * k - 5 : 0.11 * k);
-    const std::vector<Point> own = section(number, group.abscissa);
-    places.insert(places.end(), own.begin(), own.end());
+  for (double number = 1; number <= 8; ++number) {  // abscissae from the shoal's centre, across and along the waves
+    SubmittedGroup group{.value = number};
+    for (double k = 0; k <= 100; ++k) {
+      const double s = number <= 5 ? 0.1 * k - 5 : 0.11 * k;
+      group.abscissa.push_back(s);
+      places.push_back(number <= 5 ? Point{2 * number - 1, s} : Point{s, 2 * (number - 7)});
+    }
     groups.push_back(std::move(group));
   }
   const std::vector<double> amplitudes = harmonics_at(flow, places, 1, period, steps, 4).front();

@@ -70,9 +70,9 @@ RunUp run_up(const SolitaryClimb& climb, const std::function<void(const dispersi
 struct RunUpSequence {
   std::vector<double> spacing = {}, height = {};
 
-  void add(double h, double run_up) {
+  void add(double h, double reached) {
     spacing.push_back(h);
-    height.push_back(run_up);
+    height.push_back(reached);
   }
   [[nodiscard]] evidence::GridConvergence limit() const { return evidence::grid_convergence(spacing, height, 2); }
 };
