@@ -274,17 +274,16 @@ struct Series {
   Role role;
   double (*value)(const Row& row);
 };
-const std::vector<Series> printed_series{
+const std::string law = "run-up law";
+const std::vector<Series> all_series{
     {"Hall and Watts", Role::data, [](const Row& row) { return row.measured; }},
     {"other authors", Role::peer, [](const Row& row) { return row.calculated; }},
     {"thesis", Role::exact, [](const Row& row) { return row.printed; }},
-};
-const std::vector<Series> computed_series{
+    {law, Role::peer, [](const Row& row) { return row.law; }},
     {"model, h = 1/4, tip V/4", Role::computed, [](const Row& row) { return row.computed[as_in_thesis][0]; }},
     {"model, finest, tip V/6", Role::computed, [](const Row& row) { return row.computed[consistent].back(); }},
     {"the same, Green-Naghdi", Role::computed, [](const Row& row) { return row.computed[green_naghdi].back(); }},
 };
-const Series law_series{"run-up law", Role::peer, [](const Row& row) { return row.law; }};
 
 struct Points {
   std::vector<double> x, y;
@@ -309,10 +308,7 @@ void draw_table(evidence::Exhibit& exhibit, const std::vector<Row>& rows) {
                 {.x = "s of the slope 1:s", .y = "R/A", .log_x = true, .log_y = true}, {"frank-table-runup"});
   constexpr double side_step = 1.025;
   double side = std::pow(side_step, -3);
-  std::vector<Series> all = printed_series;
-  all.push_back(law_series);
-  all.insert(all.end(), computed_series.begin(), computed_series.end());
-  for (const Series& series : all) {
+  for (const Series& series : all_series) {
     const Points points = points_of(rows, series, [&](const Row& row) { return side * row.cot_slope; });
     panel.points(series.label, points.x, points.y, series.role);
     side *= side_step;
@@ -332,14 +328,15 @@ void draw_slopes(evidence::Exhibit& exhibit, const std::vector<Row>& rows) {
     std::ranges::sort(members, {}, amplitude);
     auto& panel = figure.panel({.x = "A [depth]", .y = "R/A", .title = fmt::format("cot = {:g}", cot_slope)});
     const std::vector<double> fine = evenly(members.front().amplitude, members.back().amplitude, 41);
-    panel.line(law_series.label, fine, each(fine, [&](double a) { return runup_law(cot_slope, a) / a; }), Role::guide);
-    for (const Series& series : printed_series) {
+    panel.line(law, fine, each(fine, [&](double a) { return runup_law(cot_slope, a) / a; }), Role::guide);
+    for (const Series& series : all_series) {
       const Points points = points_of(members, series, amplitude);
-      if (!points.x.empty()) panel.points(series.label, points.x, points.y, series.role);
-    }
-    for (const Series& series : computed_series) {
-      const Points points = points_of(members, series, amplitude);
-      panel.line(series.label, points.x, points.y, series.role);
+      if (points.x.empty() || series.label == law) continue;
+      if (series.role == Role::computed) {
+        panel.line(series.label, points.x, points.y, series.role);
+      } else {
+        panel.points(series.label, points.x, points.y, series.role);
+      }
     }
   }
 }
@@ -355,10 +352,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
 Results compute(const Run& run) {
   Results r{.rows = printed_rows(run)};
   const std::size_t levels = levels_of(run);
-  double whole = 0;  // a level costs four times the one before
-  for (std::size_t level = 0; level < levels; ++level) whole += std::pow(4.0, level);
-  double done = 0;
   for (std::size_t level = 0; level < levels; ++level) {
+    const double part = std::pow(0.25, levels - 1 - level);  // done with it: a level costs four times the one before
     for (std::size_t variant = 0; variant < variants.size(); ++variant) {
       for (Row& row : r.rows) {
         SolitaryClimb climb = climb_from(run, row.cot_slope, row.amplitude, spacing_of(level));
@@ -366,8 +361,7 @@ Results compute(const Run& run) {
         climb.kinetics = variants[variant].kinetics;
         row.computed[variant].push_back(run_up(climb).height);
       }
-      done += std::pow(4.0, level) / static_cast<double>(variants.size());
-      run.progress(done / whole);
+      run.progress(part * (0.25 + 0.75 * static_cast<double>(variant + 1) / static_cast<double>(variants.size())));
     }
   }
   std::vector<MeasuredWave> mild;
