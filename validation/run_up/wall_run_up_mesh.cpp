@@ -32,6 +32,7 @@ mesh is rezoned (`rezone`, `run_up_mesh_rezoned`).
 #include "validation/case/reference_table.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/run_up/mesh_climb.hpp"
+#include "validation/run_up/solitary_climb.hpp"
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 
 namespace seiche::validation::cases::wall_run_up_mesh {

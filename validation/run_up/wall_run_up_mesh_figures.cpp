@@ -29,6 +29,7 @@ still-water level, where the pressure begins like the elevation.
 #include "validation/case/reference_case.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/run_up/mesh_climb.hpp"
+#include "validation/run_up/solitary_climb.hpp"
 
 namespace seiche::validation::cases::wall_run_up_mesh_figures {
 
