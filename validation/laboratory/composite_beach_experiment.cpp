@@ -1,8 +1,8 @@
 #include "validation/laboratory/composite_beach_experiment.hpp"
 
-#include <algorithm>
 #include <cmath>
 
+#include "seiche/samples.hpp"
 #include "validation/studies/dispersive_shallow_water/dispersive_flume.hpp"
 
 namespace seiche::validation::laboratory {
@@ -49,8 +49,7 @@ Submitted compute(const Run& run, const Wave& wave, double coarsening) {
   const std::vector<double> groups{4, 5, 6, 7, 8, 9, 10, 0};  // the last: the wall
   const std::vector<double> places{wave.gauge, 15.04, 17.22, 19.40, 20.86, 22.33, 22.80, 23.23 - 1e-6};
   std::vector<SubmittedGroup> records = gauge_records(flow, flume, groups, places, 0.05, 291 - start, -start);
-  const std::vector<double>& wall = records.back().values.at("eta");
-  const double run_up = *std::max_element(wall.begin(), wall.end());
+  const double run_up = largest(records.back().values.at("eta"));
   records.pop_back();
   return {{"gauges", records}, {"runup", {{.value = 0, .abscissa = {}, .values = {{"R", {run_up}}}}}}};
 }

@@ -31,8 +31,7 @@ Submitted compute(const Run& run, double coarsening) {
                     .gravity = 1};
   const double crest = -52;
   dispersive::Flow flow = solitary_waves(flume, {{.depth = 1, .amplitude = 0.2, .crest = crest}});
-  std::vector<double> places;  // from the shoreline
-  for (const double x : gauges) places.push_back(x - 34.7);
+  const std::vector<double> places = each(gauges, [](double x) { return x - 34.7; });  // from the shoreline
   const double start = crests.front() - (places.front() - crest) / std::sqrt(1.2);
   return {{"gauges", gauge_records(flow, flume, gauges, places, 0.025, 45.5 - start, -start)}};
 }

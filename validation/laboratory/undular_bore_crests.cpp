@@ -11,10 +11,10 @@ Froude number; 1.11 and 1.15 are inside the range of all three series.
 **What to look at.** The measured crests scatter by 10 to 30 % between depths, with friction, capillarity and distance
 travelled. In the theory of modulated waves the first crest slowly grows beyond twice the bore height.
 */
-#include <algorithm>
 #include <cmath>
 
 #include "seiche/models/dispersive_shallow_water_1d/water_surface.hpp"
+#include "seiche/samples.hpp"
 #include "validation/laboratory/laboratory_case.hpp"
 #include "validation/studies/dispersive_shallow_water/dispersive_flume.hpp"
 
@@ -34,8 +34,7 @@ Submitted compute(const Run& run, double coarsening) {
     dispersive::Flow flow = smooth_bore(flume, depth, jump, 5 * depth);
     froude.push_back(std::sqrt((1 + jump) * (1 + jump / 2)));
     march(flow, 63.5 / (froude.back() * std::sqrt(flume.gravity * depth)), stable_steps(flow, flume.tau));
-    const std::vector<double> surface = dispersive::water_surface(flow);
-    crest.push_back(*std::max_element(surface.begin(), surface.end()) / depth);
+    crest.push_back(largest(dispersive::water_surface(flow)) / depth);
   }
   std::vector<SubmittedGroup> series;
   for (const double one : depths)

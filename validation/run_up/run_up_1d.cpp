@@ -52,8 +52,15 @@ struct Surface {
   std::vector<double> x, y;
 };
 
-Surface surface_of(const Flow& flow) {
-  return {.time = flow.time(), .x = {flow.x().begin(), flow.x().end()}, .y = {flow.y().begin(), flow.y().end()}};
+/// What of it the figures show.
+Surface surface_of(const Flow& flow, double cot_slope) {
+  Surface surface{.time = flow.time()};
+  for (const std::size_t i : indices(flow.x().size())) {
+    if (flow.x()[i] < -2 * cot_slope - 5) continue;
+    surface.x.push_back(flow.x()[i]);
+    surface.y.push_back(flow.y()[i]);
+  }
+  return surface;
 }
 
 /// Time zero of the shoreline is when the undisturbed crest would be at the toe.
@@ -83,16 +90,10 @@ void draw_profiles(evidence::Exhibit& exhibit, const std::vector<Surface>& surfa
     const double lowest = -0.3;
     auto& panel = figure.panel(
         {.x = "x [depth]", .y = "elevation [depth]", .title = fmt::format("t = {:.1f}", one.time), .y_min = lowest});
-    std::vector<double> x, y;
-    for (std::size_t i = 0; i < one.x.size(); ++i) {
-      if (one.x[i] < -2 * cot_slope - 5) continue;
-      x.push_back(one.x[i]);
-      y.push_back(one.y[i]);
-    }
-    const double land = 1.2 * std::max(x.back(), 0.1 * cot_slope);
-    panel.fill("bottom", std::vector{x.front(), -cot_slope, land}, std::vector{-1.0, -1.0, land / cot_slope},
+    const double land = 1.2 * std::max(one.x.back(), 0.1 * cot_slope);
+    panel.fill("bottom", std::vector{one.x.front(), -cot_slope, land}, std::vector{-1.0, -1.0, land / cot_slope},
                Role::bed);
-    panel.line("surface", x, y, Role::computed);
+    panel.line("surface", one.x, one.y, Role::computed);
   }
 }
 
@@ -124,9 +125,9 @@ Results compute(const Run& run) {
   const double toe_time = climb.time_to(-climb.cot_slope);
   const double expected_time = toe_time + 3 * climb.cot_slope + 10;
   const auto note = [&](const Flow& flow) {
-    if (flow.time() <= toe_time) r.surfaces[0] = surface_of(flow);
+    if (flow.time() <= toe_time) r.surfaces[0] = surface_of(flow, climb.cot_slope);
     Surface& highest = r.surfaces[1];
-    if (highest.y.empty() || flow.y().back() > highest.y.back()) highest = surface_of(flow);
+    if (highest.y.empty() || flow.y().back() > highest.y.back()) highest = surface_of(flow, climb.cot_slope);
     run.progress(std::min(1.0, flow.time() / expected_time));
   };
   r.up = run_up(climb, note, run.real("time"));
