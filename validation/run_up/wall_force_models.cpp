@@ -148,12 +148,10 @@ Contender by_force(Contender one, const Wall& wall, Felt& felt) {
 
 /// All models against one wave.
 struct Meeting {
-  double amplitude = 0;
-  Contest contest;
-  std::map<std::string, Felt> felt;  ///< by the model's id, on its finest resolution
-  Felt exact;
-  std::size_t first = 0;
-  double largest = 0;
+  double amplitude;
+  Wall wall;
+  Contest contest = {};
+  std::map<std::string, Felt> felt = {};  ///< by the model's id, on its finest resolution
 };
 
 struct Results : Meeting {
@@ -167,8 +165,8 @@ double highest(const Felt& felt) {
 /// Root mean square of the level's error over the exact run-up, as long as the model goes on.
 double error_of_level(const Felt& felt, const Meeting& r) {
   Mean off;
-  for (std::size_t k = r.first; k < felt.level.size(); ++k) off.add(felt.level[k] - r.exact.level[k], 1);
-  return off.rms() / highest(r.exact);
+  for (std::size_t k = r.wall.first; k < felt.level.size(); ++k) off.add(felt.level[k] - r.wall.felt.level[k], 1);
+  return off.rms() / highest(r.wall.felt);
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
@@ -177,7 +175,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const auto high = all.only_if(values.real("amplitude") >= 0.45, "lower waves have one maximum, or a small dip");
   const std::string share = "dip over the dip of the exact force";
   const auto dip_of = [](const std::string& id) {
-    return [id](const Results& r) { return dip(r.felt.at(id).force) / dip(r.exact.force); };
+    return [id](const Results& r) { return dip(r.felt.at(id).force) / dip(r.wall.felt.force); };
   };
   const auto two_maxima = [&](const Claims<Results>& list, const Named& model) {
     list.check(model.id + "-dip", fmt::format("The force has two maxima with a dip between them ({}).", model.name),
@@ -244,7 +242,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
       "lowest-two-maxima", "The smallest wave height with two maxima of the exact force is about H/h = 0.4.",
       "least height with a dip [depth]",
       [](const Results& r) {
-        const auto two = std::ranges::find_if(r.heights, [](const Meeting& met) { return dip(met.exact.force) > 0; });
+        const auto two =
+            std::ranges::find_if(r.heights, [](const Meeting& met) { return dip(met.wall.felt.force) > 0; });
         return two == r.heights.end() ? nan : two->amplitude;
       },
       Bound{.limit = 0.1, .reason = "heights at intervals of 0.1; the source states some 0.4", .expected = 0.4});
@@ -253,7 +252,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
 }
 
 Meeting meet(const Run& run, double amplitude, const TankSizes& sizes) {
-  const Wall wall{SolitaryWave(amplitude)};
+  Meeting met{amplitude, Wall(SolitaryWave(amplitude))};
+  const Wall& wall = met.wall;
   TankWave tank = solitary_tank(wall.wave, wall.start, 2 * wall.start, 4 * wall.start);
   tank.surface = [](double, double) { return 0.0; };
   tank.amplitude = 1;
@@ -272,7 +272,6 @@ Meeting meet(const Run& run, double amplitude, const TankSizes& sizes) {
                         .resolutions = ladder_to(sizes.markers, {0.5, 1}),
                         .size = [](long n) { return 1 / static_cast<double>(n); },
                         .start = [&wall](long n) { return start_shallow_water(wall, n); }});
-  Meeting met{.amplitude = amplitude, .exact = wall.felt, .first = wall.first, .largest = wall.largest};
   for (Contender& one : contenders) one = by_force(std::move(one), wall, met.felt[one.id]);
   met.contest = contest(run, contenders,
                         {.end = wall.end(),
@@ -303,14 +302,14 @@ void draw_heights(const Results& r, evidence::Exhibit& exhibit) {
                            {.x = "height of the wave [depth]", .y = "rms error / largest force", .log_y = true});
   auto& dips = add_panel(exhibit, "dips", "Dip between two maxima of the force over the height of the wave", sizes,
                          {.x = "height of the wave [depth]", .y = "dip / largest force", .y_min = 0, .y_max = 0.2});
-  const auto exact = [](const Meeting& met) { return dip(met.exact.force) / met.largest; };
+  const auto exact = [](const Meeting& met) { return dip(met.wall.felt.force) / met.wall.largest; };
   dips.line("exact", heights, each(r.heights, exact), Role::exact);
   for (const Entry& entry : r.contest.entries()) {
     const Role role = entry.role == Role::data ? Role::peer : entry.role;
     const auto error = [&](const Meeting& met) { return error_of_finest(met.contest.of(entry.id)); };
     errors.line(entry.name, heights, each(r.heights, error), role);
     const auto own = [&](const Meeting& met) {
-      return std::isfinite(error(met)) ? dip(met.felt.at(entry.id).force) / met.largest : nan;
+      return std::isfinite(error(met)) ? dip(met.felt.at(entry.id).force) / met.wall.largest : nan;
     };
     dips.line(entry.name, heights, each(r.heights, own), role);
   }
@@ -319,12 +318,12 @@ void draw_heights(const Results& r, evidence::Exhibit& exhibit) {
 /// One figure: a curve of the exact flow and of each model that came so far.
 void draw(const Results& r, Curve Felt::*what, double shift, evidence::Panel& panel) {
   const auto line = [&](const std::string& name, const Curve& all, Role role) {
-    if (all.size() <= r.first) return;
-    const std::span those = std::span(all).subspan(r.first);
-    const auto time = [&](std::size_t k) { return interval * (static_cast<double>(r.first + k) + shift); };
+    if (all.size() <= r.wall.first) return;
+    const std::span those = std::span(all).subspan(r.wall.first);
+    const auto time = [&](std::size_t k) { return interval * (static_cast<double>(r.wall.first + k) + shift); };
     panel.line(name, each(indices(those.size()), time), those, role);
   };
-  line("exact", r.exact.*what, Role::exact);
+  line("exact", r.wall.felt.*what, Role::exact);
   for (const Entry& entry : r.contest.entries()) {
     // Data's black line is the exact one's.
     line(entry.name, r.felt.at(entry.id).*what, entry.role == Role::data ? Role::peer : entry.role);
@@ -345,11 +344,11 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
                                       "rms error of the level over the run-up [1]"});
   const auto row = [&](const std::string& name, const Felt& felt) {
     const double largest = felt.force.empty() ? 0 : std::ranges::max(felt.force);
-    table.rows.push_back(
-        {name, largest, largest / r.largest, dip(felt.force) / r.largest, highest(felt), error_of_level(felt, r)});
+    table.rows.push_back({name, largest, largest / r.wall.largest, dip(felt.force) / r.wall.largest, highest(felt),
+                          error_of_level(felt, r)});
   };
   if (!r.heights.empty()) draw_heights(r, exhibit);
-  row("exact", r.exact);
+  row("exact", r.wall.felt);
   for (const Entry& entry : r.contest.entries()) row(entry.name, r.felt.at(entry.id));
   r.contest.show(exhibit, {.size = "depth", .error = "largest force", .time = "sqrt(depth/g)"});
 }
