@@ -151,33 +151,34 @@ double finest_spacing(const Values& values) {
   return values.tier() == Tier::quick ? 0.45 : 0.25;
 }
 
-Measurement deviation_of(const std::vector<Passed>& spacings, const io::Table& data) {
-  const std::vector<double> rms = each(spacings, [&](const Passed& passed) { return deviation(passed, data); });
-  return {.value = rms.front(), .uncertainty = fine_limit(each(spacings, &Passed::spacing), rms, 1).uncertainty};
-}
+/// With two spacings, the finer first.
+using Spacings = std::vector<Passed>;
 
 /// Columns so near to each other that they resolve where wave C breaks.
 bool resolves_breaking(double spacing) {
   return spacing < 0.2;
 }
 
-void claim_runup(const Claims<std::vector<Passed>>& claims, const Wave& wave, double spacing, const io::Table& data) {
+void claim_runup(const Claims<Spacings>& claims, const Wave& wave, double spacing, const io::Table& data) {
   const evidence::Claim runup{
       "runup-" + wave.name,
       fmt::format(
           "The run-up around the island agrees with the measurements within the expanded uncertainty (wave {}).",
           wave.name),
       "rms of R/R_measured - 1, of all nine angles", "1", source};
-  const Uncertainty criterion{
-      .data = reference_source("conical_island_runup").standard_uncertainty.at("R_over_A").value,
-      .useful = 0.25,
-      .reason =
-          "10 % of the measurements (assumed), since mirror pairs of angles differ by 5 to 10 %; numerical: from two "
-          "spacings, first-order"};
-  const auto off = [data](const std::vector<Passed>& spacings) { return deviation_of(spacings, data); };
+  const auto off = [data](const Passed& passed) { return deviation(passed, data); };
   if (wave.name != "C") {
     claims.only_if(wave.name == "A" || spacing < 0.3, "columns 0.35 and 0.7 m wide differ by more than the limit")
-        .check(runup, off, criterion);
+        .check(
+            runup,
+            [off](const Spacings& all) -> Measurement {
+              const std::vector<double> rms = each(all, off);
+              return {.value = rms.front(), .uncertainty = fine_limit(each(all, &Passed::spacing), rms, 1).uncertainty};
+            },
+            Uncertainty{.data = reference_source("conical_island_runup").standard_uncertainty.at("R_over_A").value,
+                        .useful = 0.25,
+                        .reason = "10 % of the measurements (assumed), since mirror pairs of angles differ by 5 to 10 "
+                                  "%; numerical: from two spacings, first-order"});
   } else {
     claims
         .fails({.width = std::numeric_limits<double>::infinity(),
@@ -185,7 +186,7 @@ void claim_runup(const Claims<std::vector<Passed>>& claims, const Wave& wave, do
                           "one; the difference falls with the column width"},
                !resolves_breaking(spacing))
         .check(
-            runup, [data](const std::vector<Passed>& spacings) { return deviation(spacings.front(), data); },
+            runup, [off](const Spacings& all) { return off(all.front()); },
             Bound{.limit = 0.2,
                   .reason = "twice the 10 % of the measurements; the numerical error is not first-order where the wave "
                             "breaks and cannot be estimated from two spacings"});
@@ -202,14 +203,13 @@ void claim_runup(const Claims<std::vector<Passed>>& claims, const Wave& wave, do
                       "zero (wave {}).",
                       wave.name),
           "measured angles without a maximum",
-          [data](const std::vector<Passed>& spacings) {
-            return std::ranges::count_if(data.column("angle"),
-                                         [&](double angle) { return !spacings.front().saw(angle); });
+          [data](const Spacings& all) {
+            return std::ranges::count_if(data.column("angle"), [&](double angle) { return !all.front().saw(angle); });
           },
           Bound{.limit = 0, .reason = "run-up is compared at every measured angle"});
 }
 
-void claim_whole(const Claims<std::vector<Passed>>& claims, const Wave& wave, double spacing) {
+void claim_whole(const Claims<Spacings>& claims, const Wave& wave, double spacing) {
   claims
       .fails({.value = 0,
               .width = 0,
@@ -221,7 +221,7 @@ void claim_whole(const Claims<std::vector<Passed>>& claims, const Wave& wave, do
           fmt::format("The mesh remains untangled until 6 s after the crest passes the island's centre (wave {}).",
                       wave.name),
           "wave fronts met behind the island, mesh untangled",
-          [](const std::vector<Passed>& spacings) {
+          [](const Spacings& spacings) {
             return std::ranges::none_of(spacings, [](const Passed& one) { return one.tangled.has_value(); });
           },
           Qualitative{
