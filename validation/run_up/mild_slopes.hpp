@@ -6,6 +6,7 @@
 
 #include "reports/evidence/record.hpp"
 #include "validation/case/claims.hpp"
+#include "validation/case/parameter.hpp"
 
 namespace seiche::validation {
 
