@@ -71,9 +71,9 @@ void measure_comparison(evidence::Exhibit& exhibit, const Comparison& all) {
 
 void draw_comparison(evidence::Exhibit& exhibit, const Comparison& all) {
   const std::vector<double> fine = evenly(0.05, all.amplitude.back(), 101);
-  const auto heights = indices(all.amplitude.size());
-  const std::vector<double> serre = each(heights, [&](std::size_t k) { return all.serre(k); });
-  const std::vector<double> gap = each(heights, [&](std::size_t k) { return all.gap(k); });
+  const auto waves = indices(all.amplitude.size());
+  const std::vector<double> serre = each(waves, [&](std::size_t k) { return all.serre(k); });
+  const std::vector<double> gap = each(waves, [&](std::size_t k) { return all.gap(k); });
   auto& figure = exhibit.figure("runup", "Run-up on a vertical wall",
                                 "Model extrapolated to zero spacing, exact values of the Euler equations, and series; "
                                 "then the difference of model and Euler equations.");
