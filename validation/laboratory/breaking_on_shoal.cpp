@@ -13,10 +13,8 @@ namespace seiche::validation::cases::breaking_on_shoal {
 
 using namespace laboratory;
 
-const std::string source = "C. L. Vincent, M. J. Briggs, J. Waterway Port Coastal Ocean Eng. 115 (1989) 269-284";
-
 Experiment experiment(const Values& /*values*/) {
-  return {.source = source,
+  return {.source = "C. L. Vincent, M. J. Briggs, J. Waterway Port Coastal Ocean Eng. 115 (1989) 269-284",
           .parts = {{.name = "section",
                      .table = "vincent_briggs_1989_elliptic_shoal",
                      .kind = WantedTable::Kind::profile,
@@ -26,9 +24,7 @@ Experiment experiment(const Values& /*values*/) {
 }
 
 void breaking_on_shoal(Case& c) {
-  c.title = "Breaking of regular waves on an elliptic shoal";
-  c.source = source;
-  set_laboratory<experiment>(c);
+  set_laboratory<experiment>(c, "Breaking of regular waves on an elliptic shoal");
 }
 
 }  // namespace seiche::validation::cases::breaking_on_shoal

@@ -19,20 +19,12 @@ namespace seiche::validation::cases::breaking_on_slope {
 
 using namespace laboratory;
 
-const std::string source =
-    "J. B. Hansen, I. A. Svendsen, Regular waves in shoaling water: experimental data, Series Paper 21, ISVA, "
-    "Technical University of Denmark (1979)";
-
 struct Wave {
   double number, period, height;
 };
 
 /// Height and mean level along the slope over three periods, when the front of the train has gone up it.
-struct Along {
-  std::vector<double> x, height, level;
-};
-
-Along along_slope(const Wave& wave, double spacing) {
+void add_wave(const Wave& wave, double spacing, Submitted& submitted) {
   const double slope = 1 / 34.26;
   const double depth = 0.36;
   const Flume flume{.bed_x = {-110, -depth / slope, 0, 0.2 / slope},
@@ -54,35 +46,30 @@ Along along_slope(const Wave& wave, double spacing) {
   std::vector<Mean> level(places.size());
   const double begin = flow.time();
   for (long period = 0; period < periods; ++period) {
-    std::vector<Largest> top(places.size());
-    std::vector<Largest> bottom(places.size());
+    std::vector<std::vector<double>> records(places.size());
     for (long k = 1; k <= instants; ++k) {
       march(flow, begin + wave.period * static_cast<double>(period * instants + k) / instants,
             stable_steps(flow, flume.tau));
       const std::vector<double> eta = flow.elevation_at(places);
-      for (std::size_t i = 0; i < places.size(); ++i) {
-        top[i].add(eta[i]);
-        bottom[i].add(-eta[i]);
+      for (const std::size_t i : indices(places.size())) {
+        records[i].push_back(eta[i]);
         level[i].add(eta[i]);
       }
     }
-    for (std::size_t i = 0; i < places.size(); ++i) height[i].add(top[i].value() + bottom[i].value());
+    for (const std::size_t i : indices(places.size())) height[i].add(largest(records[i]) - smallest(records[i]));
   }
-  Along along;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    along.x.push_back(places[i] - toe);
-    along.height.push_back(height[i].value());
-    along.level.push_back(level[i].value());
-  }
-  return along;
+  const std::vector<double> x = each(places, [toe](double place) { return place - toe; });
+  const auto add = [&](const std::string& table, const std::string& column, const std::vector<Mean>& means) {
+    submitted[table].push_back({.value = wave.number, .abscissa = x, .values = {{column, each(means, &Mean::value)}}});
+  };
+  add("heights", "H", height);
+  add("levels", "level", level);
 }
 
 Submitted compute(const Run& run, double coarsening) {
   Submitted submitted;
   for (const Wave& wave : {Wave{1, 1 / 0.3, 0.0406}, Wave{2, 1 / 0.6, 0.0695}}) {
-    const Along along = along_slope(wave, coarsening * run.real("spacing"));
-    submitted["heights"].push_back({.value = wave.number, .abscissa = along.x, .values = {{"H", along.height}}});
-    submitted["levels"].push_back({.value = wave.number, .abscissa = along.x, .values = {{"level", along.level}}});
+    add_wave(wave, coarsening * run.real("spacing"), submitted);
   }
   return submitted;
 }
@@ -107,7 +94,9 @@ Experiment experiment(const Values& values) {
     heights.read({highest(wave, {}), when_highest(wave, {}, Kind::place), misfit(wave, {0, breaking})});
     levels.readings.push_back(misfit(wave, {0, breaking}));
   }
-  return {.source = source,
+  return {.source =
+              "J. B. Hansen, I. A. Svendsen, Regular waves in shoaling water: experimental data, Series Paper 21, "
+              "ISVA, Technical University of Denmark (1979)",
           .parts = {heights, levels},
           .files = {"hansen_svendsen_1979_shoaling_breaking/bed.csv"},
           .compute = values.tier() == Tier::quick ? nullptr : compute,  // coarser spacings place no breaking to 1.5 m
@@ -121,10 +110,8 @@ Experiment experiment(const Values& values) {
 }
 
 void breaking_on_slope(Case& c) {
-  c.title = "Shoaling and breaking of regular waves on a slope";
-  c.source = source;
-  c.parameters = {real("spacing", {0.1, 0.04, 0.04}, "m", {0.01, 0.1}, "node spacing, for the model run")};
-  set_laboratory<experiment>(c);
+  set_laboratory<experiment>(c, "Shoaling and breaking of regular waves on a slope",
+                             {real("spacing", {0.1, 0.04, 0.04}, "m", {0.01, 0.1}, "node spacing, for the model run")});
 }
 
 }  // namespace seiche::validation::cases::breaking_on_slope

@@ -19,16 +19,11 @@ namespace seiche::validation::cases::composite_beach {
 
 using namespace laboratory;
 
-Experiment experiment(const Values& values) {
-  return composite_beach_experiment(values.text("wave"));
-}
-
 void composite_beach(Case& c) {
-  c.title = "A solitary wave on a beach of three slopes before a wall";
-  c.source = composite_beach_source;
-  c.parameters = {choice("wave", "A", {"A", "B", "C"}, "the wave: H/h = 0.038 (A), 0.26 (B) or 0.68 (C)"),
-                  real("spacing", 0.02, "m", {0.005, 0.1}, "of the nodes")};
-  set_laboratory<experiment>(c);
+  set_laboratory<[](const Values& values) { return composite_beach_experiment(values.text("wave")); }>(
+      c, "A solitary wave on a beach of three slopes before a wall",
+      {choice("wave", "A", {"A", "B", "C"}, "the wave: H/h = 0.038 (A), 0.26 (B) or 0.68 (C)"),
+       real("spacing", 0.02, "m", {0.005, 0.1}, "of the nodes")});
 }
 
 }  // namespace seiche::validation::cases::composite_beach

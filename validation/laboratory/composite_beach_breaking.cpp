@@ -18,15 +18,10 @@ namespace seiche::validation::cases::composite_beach_breaking {
 
 using namespace laboratory;
 
-Experiment experiment(const Values& /*values*/) {
-  return composite_beach_experiment("C");
-}
-
 void composite_beach_breaking(Case& c) {
-  c.title = "Breaking of a solitary wave on a beach of three slopes";
-  c.source = composite_beach_source;
-  c.parameters = {real("spacing", 0.02, "m", {0.005, 0.1}, "of the nodes")};
-  set_laboratory<experiment>(c);
+  set_laboratory<[](const Values&) { return composite_beach_experiment("C"); }>(
+      c, "Breaking of a solitary wave on a beach of three slopes",
+      {real("spacing", 0.02, "m", {0.005, 0.1}, "of the nodes")});
   c.submission = {};  // others submit to composite_beach
 }
 

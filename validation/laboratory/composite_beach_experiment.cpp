@@ -1,8 +1,8 @@
 #include "validation/laboratory/composite_beach_experiment.hpp"
 
-#include <algorithm>
 #include <cmath>
 
+#include "seiche/samples.hpp"
 #include "validation/studies/dispersive_shallow_water/dispersive_flume.hpp"
 
 namespace seiche::validation::laboratory {
@@ -49,8 +49,7 @@ Submitted compute(const Run& run, const Wave& wave, double coarsening) {
   const std::vector<double> groups{4, 5, 6, 7, 8, 9, 10, 0};  // the last: the wall
   const std::vector<double> places{wave.gauge, 15.04, 17.22, 19.40, 20.86, 22.33, 22.80, 23.23 - 1e-6};
   std::vector<SubmittedGroup> records = gauge_records(flow, flume, groups, places, 0.05, 291 - start, -start);
-  const std::vector<double>& wall = records.back().values.at("eta");
-  const double run_up = *std::max_element(wall.begin(), wall.end());
+  const double run_up = largest(records.back().values.at("eta"));
   records.pop_back();
   return {{"gauges", records}, {"runup", {{.value = 0, .abscissa = {}, .values = {{"R", {run_up}}}}}}};
 }
@@ -59,21 +58,19 @@ Submitted compute(const Run& run, const Wave& wave, double coarsening) {
 
 Experiment composite_beach_experiment(const std::string& letter) {
   const Wave wave = wave_of(letter);
-  Series gauges{.name = "gauges",
-                .table = wave.table,
+  Series gauges{.table = wave.table,
                 .group = Column{"gauge", "1", "number"},
                 .abscissa = {"t", "s", "time of the experiment"},
-                .quantity = {"eta", "m", "surface elevation"},
                 .still = Window{265, 267},
                 .input = 0.02,
                 .input_reason = "calibration of the gauges, estimated",
                 .telling = 1,
                 .origin = wave.passes,
-                .clock = Clock{.group = 4, .range = 1, .window = {267, wave.passes + 2}}};
+                .clock = Clock{.group = 4, .range = 1, .window = {267, wave.passes + 2}},
+                .calibrating = {4}};
   for (double gauge = 4; gauge <= 10; ++gauge) {
     const Window window{267, gauge == 4 ? 277.0 : 284.0};
     gauges.readings.push_back(highest(gauge, window));
-    gauges.readings.back().calibration = gauge == 4;
     if (gauge > 4) gauges.readings.push_back(arrival(gauge, wave.height / 2, window));
     gauges.readings.push_back(misfit(gauge, window));
   }

@@ -13,9 +13,6 @@ namespace seiche::validation::cases::dam_break_box {
 
 using namespace laboratory;
 
-const std::string source =
-    "K. M. T. Kleefsman, G. Fekken, A. E. P. Veldman, B. Iwanowski, B. Buchner, J. Comput. Phys. 206 (2005) 363-393";
-
 Experiment experiment(const Values& /*values*/) {
   const Column time{"t", "s", "time since the door opens"};
   Series heights{
@@ -39,13 +36,15 @@ Experiment experiment(const Values& /*values*/) {
   for (const double probe : {1, 2, 3, 4}) {
     pressure.read({arrival(probe, 1000, {0.1, 1}), impulse(probe, {0.39, 1.0})});
   }
-  return {.source = source, .parts = {heights, pressure}, .files = {"kleefsman_2005_dam_break_box/box.stl"}};
+  return {.source =
+              "K. M. T. Kleefsman, G. Fekken, A. E. P. Veldman, B. Iwanowski, B. Buchner, J. Comput. Phys. 206 (2005) "
+              "363-393",
+          .parts = {heights, pressure},
+          .files = {"kleefsman_2005_dam_break_box/box.stl"}};
 }
 
 void dam_break_box(Case& c) {
-  c.title = "Dam break against a box";
-  c.source = source;
-  set_laboratory<experiment>(c);
+  set_laboratory<experiment>(c, "Dam break against a box");
 }
 
 }  // namespace seiche::validation::cases::dam_break_box

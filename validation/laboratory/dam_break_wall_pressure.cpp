@@ -29,8 +29,6 @@ namespace seiche::validation::cases::dam_break_wall_pressure {
 
 using namespace laboratory;
 
-const std::string source =
-    "L. Lobovsky, E. Botia-Vera, F. Castellana, J. Mas-Soler, A. Souto-Iglesias, J. Fluids Struct. 48 (2014) 407-434";
 constexpr double gravity = 9.81;
 constexpr double density = 997;
 constexpr double height = 0.3;
@@ -79,7 +77,9 @@ Submitted compute(const Run& run, double coarsening) {
 }
 
 Experiment experiment(const Values& values) {
-  return {.source = source,
+  return {.source =
+              "L. Lobovsky, E. Botia-Vera, F. Castellana, J. Mas-Soler, A. Souto-Iglesias, J. Fluids Struct. 48 (2014) "
+              "407-434",
           .parts = {{.name = "pressure",
                      .table = "lobovsky_2014_dam_break_pressure",
                      .abscissa = {"T", "1", "time t sqrt(g/H) since the gate starts"},
@@ -98,22 +98,20 @@ Experiment experiment(const Values& values) {
 }
 
 void dam_break_wall_pressure(Case& c) {
-  c.title = "Pressure of a dam break on a wall, with repeats";
-  c.source = source;
   c.tiers = {Tier::quick, Tier::full};
-  c.parameters = with({real("dx", {0.005, 0.005, 0.0025}, "m", {0.001, 0.02},
-                            "particle spacing, for the model run; also 1.5 and 2 times that")},
-                      sph_parameters({.kernel = std::string("wendland_c2"),
-                                      .smoothing = 2.0,
-                                      .viscosity = "laminar",
-                                      .kinematic_viscosity = 8.9e-7,
-                                      .xsph = 0,
-                                      .sound = 15,
-                                      .walls = "extrapolated",
-                                      .diffusion = 0.1,
-                                      .courant = 0.25},
-                                     "sqrt(g times the height of the column)"));
-  set_laboratory<experiment>(c);
+  set_laboratory<experiment>(c, "Pressure of a dam break on a wall, with repeats",
+                             with({real("dx", {0.005, 0.005, 0.0025}, "m", {0.001, 0.02},
+                                        "particle spacing, for the model run; also 1.5 and 2 times that")},
+                                  sph_parameters({.kernel = std::string("wendland_c2"),
+                                                  .smoothing = 2.0,
+                                                  .viscosity = "laminar",
+                                                  .kinematic_viscosity = 8.9e-7,
+                                                  .xsph = 0,
+                                                  .sound = 15,
+                                                  .walls = "extrapolated",
+                                                  .diffusion = 0.1,
+                                                  .courant = 0.25},
+                                                 "sqrt(g times the height of the column)")));
 }
 
 }  // namespace seiche::validation::cases::dam_break_wall_pressure

@@ -21,9 +21,6 @@ using namespace laboratory;
 
 constexpr double period = 2.857;
 
-const std::string source =
-    "M. W. Dingemans, Delft Hydraulics report H1684.12 (1994); Water Wave Propagation over Uneven Bottoms, World "
-    "Scientific (1997)";
 const std::vector<double> gauges{3.04, 9.44, 20.04, 26.04, 30.44, 37.04};
 // Of three periods in which waves and their front are steady, inside the windows that the source names.
 const std::vector<double> starts{22, 26, 31, 36, 41, 45};
@@ -47,26 +44,25 @@ Submitted compute(const Run& run, double coarsening) {
 }
 
 Experiment experiment(const Values& /*values*/) {
-  Series part{.name = "gauges",
-              .table = "dingemans_1994_bar",
+  Series part{.table = "dingemans_1994_bar",
               .group = Column{"x", "m", "distance from the wavemaker"},
               .abscissa = {"t", "s", "time"},
-              .quantity = {"eta", "m", "surface elevation"},
               .input = 0.03,
               .input_reason =
                   "amplitudes at the end of the record at the two gauges before the bar differ by 7 %: reflection from "
                   "bar and beach",
-              .clock = Clock{.group = 3.04, .range = period / 2, .window = {22, 22 + 3 * period}}};
+              .clock = Clock{.group = 3.04, .range = period / 2, .window = {22, 22 + 3 * period}},
+              .calibrating = {3.04, 9.44}};
   for (std::size_t k = 0; k < gauges.size(); ++k) {
     const Window window{starts[k], starts[k] + 3 * period};
     part.read({height(gauges[k], window), misfit(gauges[k], window)});
     for (std::size_t order = 1; order <= scatter[k].size(); ++order) {
       part.readings.push_back(harmonic(gauges[k], static_cast<int>(order), period, window, scatter[k][order - 1]));
     }
-    if (k > 1) continue;
-    for (Reading& reading : part.readings) reading.calibration = !reading.misfit();
   }
-  return {.source = source,
+  return {.source =
+              "M. W. Dingemans, Delft Hydraulics report H1684.12 (1994); Water Wave Propagation over Uneven Bottoms, "
+              "World Scientific (1997)",
           .parts = {part},
           .files = {"dingemans_1994_bar/bed.csv"},
           .compute = compute,
@@ -77,10 +73,8 @@ Experiment experiment(const Values& /*values*/) {
 }
 
 void dingemans_bar(Case& c) {
-  c.title = "Regular waves over a submerged bar: the flume of Dingemans";
-  c.source = source;
-  c.parameters = {real("spacing", 0.04, "m", {0.02, 0.2}, "of the nodes"), dispersion_parameter()};
-  set_laboratory<experiment>(c);
+  set_laboratory<experiment>(c, "Regular waves over a submerged bar: the flume of Dingemans",
+                             {real("spacing", 0.04, "m", {0.02, 0.2}, "of the nodes"), dispersion_parameter()});
 }
 
 }  // namespace seiche::validation::cases::dingemans_bar

@@ -22,8 +22,6 @@ namespace seiche::validation::cases::elliptic_shoal {
 
 using namespace laboratory;
 
-const std::string source = "J. C. W. Berkhoff, N. Booij, A. C. Radder, Coastal Eng. 6 (1982) 255-279";
-
 constexpr double period = 1;          // [s]
 constexpr double amplitude = 0.0232;  // [m]
 constexpr double side_wall = 10;
@@ -38,16 +36,6 @@ double bottom(double x, double y) {
     z += -0.3 + 0.5 * std::sqrt(1 - std::pow(along / 3.75, 2) - std::pow(across / 5, 2));
   }
   return std::min(z, -shallowest);
-}
-
-/// Places of a section: its number, abscissae from the shoal's centre.
-std::vector<Point> section(long number, const std::vector<double>& abscissae) {
-  std::vector<Point> places;
-  for (const double s : abscissae) {
-    const auto n = static_cast<double>(number);
-    places.push_back(number <= 5 ? Point{2 * n - 1, s} : Point{s, 2 * (n - 7)});
-  }
-  return places;
 }
 
 Submitted compute(const Run& run, double coarsening) {
@@ -66,11 +54,13 @@ Submitted compute(const Run& run, double coarsening) {
   march(flow, settled, period / static_cast<double>(steps));
   std::vector<SubmittedGroup> groups;
   std::vector<Point> places;
-  for (long number = 1; number <= 8; ++number) {
-    SubmittedGroup group{.value = static_cast<double>(number)};
-    for (double k = 0; k <= 100; ++k) group.abscissa.push_back(number <= 5 ? 0.1 * k - 5 : 0.11 * k);
-    const std::vector<Point> own = section(number, group.abscissa);
-    places.insert(places.end(), own.begin(), own.end());
+  for (double number = 1; number <= 8; ++number) {  // abscissae from the shoal's centre, across and along the waves
+    SubmittedGroup group{.value = number};
+    for (double k = 0; k <= 100; ++k) {
+      const double s = number <= 5 ? 0.1 * k - 5 : 0.11 * k;
+      group.abscissa.push_back(s);
+      places.push_back(number <= 5 ? Point{2 * number - 1, s} : Point{s, 2 * (number - 7)});
+    }
     groups.push_back(std::move(group));
   }
   const std::vector<double> amplitudes = harmonics_at(flow, places, 1, period, steps, 4).front();
@@ -94,7 +84,7 @@ Experiment experiment(const Values& values) {
     if (section == 1 || section == 6 || section == 8) continue;  // level: scatter decides which point is the highest
     part.read({highest(section, {}), when_highest(section, {}, Kind::place)});
   }
-  return {.source = source,
+  return {.source = "J. C. W. Berkhoff, N. Booij, A. C. Radder, Coastal Eng. 6 (1982) 255-279",
           .parts = {part},
           .files = {"berkhoff_1982_elliptic_shoal/bathymetry.asc"},
           .compute = values.tier() == Tier::quick ? nullptr : compute,
@@ -106,11 +96,9 @@ Experiment experiment(const Values& values) {
 }
 
 void elliptic_shoal(Case& c) {
-  c.title = "Regular waves on an elliptic shoal";
-  c.source = source;
   c.tiers = {Tier::quick, Tier::full};
-  c.parameters = {real("spacing", 0.07, "m", {0.07, 0.1}, "column width, for the model run")};
-  set_laboratory<experiment>(c);
+  set_laboratory<experiment>(c, "Regular waves on an elliptic shoal",
+                             {real("spacing", 0.07, "m", {0.07, 0.1}, "column width, for the model run")});
 }
 
 }  // namespace seiche::validation::cases::elliptic_shoal

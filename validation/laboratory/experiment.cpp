@@ -30,53 +30,32 @@ const ColumnUncertainty& stated(const ReferenceSource& source, const std::string
   return found->second;
 }
 
-class Rows {
- public:
-  Rows(const Series& part, const Values& values)
-      : part_(part), table_(values.table(part.table)), source_(reference_source(part.table)) {
-    columns_ = part.columns.empty() ? std::vector<std::string>{part.quantity.name} : part.columns;
-  }
-
-  [[nodiscard]] std::size_t size() const { return table_.rows(); }
-  [[nodiscard]] bool counts(std::size_t k) const {
-    if (!part_.groups.empty() && std::ranges::find(part_.groups, group(k)) == part_.groups.end()) return false;
-    return std::all_of(part_.rows.begin(), part_.rows.end(),
-                       [&](const auto& one) { return table_.column(one.first)[k] == one.second; }) &&
-           table_.column(part_.abscissa.name)[k] <= part_.highest;
-  }
-  [[nodiscard]] double group(std::size_t k) const { return part_.group ? table_.column(part_.group->name)[k] : 0; }
-  [[nodiscard]] Row row(std::size_t k) const {
-    Mean mean;
-    Largest u, highest;
-    Smallest lowest;
-    for (const std::string& column : columns_) {
-      const double y = table_.column(column)[k];
-      mean.add(y);
-      highest.add(y);
-      lowest.add(y);
-      u.add(stated(source_, column, part_.table).of(y));
+/// Of the rows of a table that count, by group.
+std::map<double, std::vector<Row>> rows_of(const Series& part, const io::Table& table, const ReferenceSource& source) {
+  const std::vector<std::string> columns =
+      part.columns.empty() ? std::vector<std::string>{part.quantity.name} : part.columns;
+  std::map<double, std::vector<Row>> groups;
+  for (std::size_t k = 0; k < table.rows(); ++k) {
+    const auto entry = [&](const std::string& column) { return table.column(column)[k]; };
+    const double group = part.group ? entry(part.group->name) : 0;
+    const bool asked = part.groups.empty() || std::ranges::find(part.groups, group) != part.groups.end();
+    const double x = entry(part.abscissa.name);
+    const auto as_said = [&](const auto& one) { return entry(one.first) == one.second; };
+    if (!asked || !std::ranges::all_of(part.rows, as_said) || !(x <= part.highest)) continue;
+    const std::vector<double> y = each(columns, entry);
+    double u = std::hypot(
+        largest(each(columns, [&](const std::string& one) { return stated(source, one, part.table).of(entry(one)); })),
+        0.5 * (largest(y) - smallest(y)) / std::numbers::sqrt3);
+    if (!part.spread.empty()) {
+      u = entry(part.spread);
+    } else if (!part.band.empty()) {
+      constexpr double widths = 2 * 1.96;  // standard deviations between the percentiles of a normal distribution
+      u = (entry(part.band.at(1)) - entry(part.band.at(0))) / widths;
     }
-    const double half = 0.5 * (highest.value() - lowest.value()) / std::numbers::sqrt3;
-    return {table_.column(part_.abscissa.name)[k], mean.value(), pointwise(k).value_or(std::hypot(u.value(), half))};
+    groups[group].push_back({x, over<Mean>(y, std::identity{}).value(), u});
   }
-  [[nodiscard]] double abscissa_uncertainty() const {
-    const auto found = source_.standard_uncertainty.find(part_.abscissa.name);
-    return found == source_.standard_uncertainty.end() ? 0 : found->second.value;
-  }
-
- private:
-  [[nodiscard]] std::optional<double> pointwise(std::size_t k) const {
-    if (!part_.spread.empty()) return table_.column(part_.spread)[k];
-    if (part_.band.empty()) return std::nullopt;
-    constexpr double widths = 2 * 1.96;  // standard deviations between the percentiles of a normal distribution
-    return (table_.column(part_.band.at(1))[k] - table_.column(part_.band.at(0))[k]) / widths;
-  }
-
-  const Series& part_;
-  io::Table table_;
-  ReferenceSource source_;
-  std::vector<std::string> columns_;
-};
+  return groups;
+}
 
 /// Rows of the same abscissa become their mean, with the standard deviation of the repeats.
 void add_rows(const std::vector<Row>& rows, Measured& curve) {
@@ -99,9 +78,7 @@ void add_rows(const std::vector<Row>& rows, Measured& curve) {
 
 void set_zero(const std::vector<double>& x, std::vector<double>& y, Window still) {
   Mean level;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    if (x[i] >= still.from && x[i] <= still.to) level.add(y[i]);
-  }
+  for (const std::size_t i : inside(x, still)) level.add(y[i]);
   if (level.count() == 0) return;
   for (double& one : y) one -= level.value();
 }
@@ -112,15 +89,13 @@ double Clock::lag(Curve computed, const Measured& measured) const {
 }
 
 std::vector<Measured> measured(const Series& part, const Values& values) {
-  const Rows rows(part, values);
-  std::map<double, std::vector<Row>> groups;
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    if (rows.counts(k)) groups[rows.group(k)].push_back(rows.row(k));
-  }
+  const ReferenceSource source = reference_source(part.table);
+  const auto of_abscissa = source.standard_uncertainty.find(part.abscissa.name);
+  const double u_x = of_abscissa == source.standard_uncertainty.end() ? 0 : of_abscissa->second.value;
   std::vector<Measured> curves;
-  for (auto& [group, members] : groups) {
-    std::stable_sort(members.begin(), members.end(), [](const Row& a, const Row& b) { return a.x < b.x; });
-    Measured curve{.group = group, .u_x = rows.abscissa_uncertainty()};
+  for (auto& [group, members] : rows_of(part, values.table(part.table), source)) {
+    std::ranges::stable_sort(members, {}, &Row::x);
+    Measured curve{.group = group, .u_x = u_x};
     add_rows(members, curve);
     if (part.still) set_zero(curve.x, curve.y, *part.still);
     curves.push_back(std::move(curve));
@@ -133,7 +108,7 @@ std::vector<WantedTable> wanted(const Experiment& experiment, const Values& valu
   for (const Series& part : experiment.parts) {
     const Lazy<std::vector<Measured>> curves([part, values] { return measured(part, values); });
     const auto find = [curves](double group) -> const Measured& {
-      return *std::find_if(curves->begin(), curves->end(), [group](const Measured& m) { return m.group == group; });
+      return *std::ranges::find(*curves, group, &Measured::group);
     };
     const bool scalar = part.kind == WantedTable::Kind::scalars;
     WantedTable table{.name = part.name,
@@ -168,7 +143,7 @@ std::vector<WantedTable> wanted(const Experiment& experiment, const Values& valu
       return places;
     };
     if (part.group) {
-      table.groups = [curves] { return each(*curves, [](const Measured& curve) { return curve.group; }); };
+      table.groups = [curves] { return each(*curves, &Measured::group); };
     }
     std::vector<std::string> files{fmt::format("reference_data/{}/table.csv", part.table)};
     for (const std::string& file : experiment.files) files.push_back("reference_data/" + file);

@@ -28,14 +28,15 @@ struct Clock {
   [[nodiscard]] double lag(Curve computed, const Measured& measured) const;
 };
 
+/// What was measured over one abscissa: records of gauges, unless it says otherwise.
 struct Series {
-  std::string name;   ///< of the wanted table
-  std::string table;  ///< folder of reference_data
+  std::string name = "gauges";  ///< of the wanted table
+  std::string table;            ///< folder of reference_data
   WantedTable::Kind kind = WantedTable::Kind::series;
   std::optional<Column> group = {};
   std::vector<double> groups = {};  ///< those that count; empty: all
   Column abscissa;
-  Column quantity;
+  Column quantity = {"eta", "m", "surface elevation"};
   /// Columns of the table that hold it, where they are not called like the quantity. Of several the middle is taken: it
   /// may lie anywhere between them, which is a standard uncertainty of half of their distance over sqrt(3).
   std::vector<std::string> columns = {};
@@ -49,6 +50,8 @@ struct Series {
   double origin = 0;      ///< what arrivals are counted from in the summary
   double highest = 1e30;  ///< abscissae beyond it do not count
   std::optional<Clock> clock = {};
+  /// Groups that set the model's input: but for misfits, what is read there is shown, and no claim.
+  std::vector<double> calibrating = {};
   std::vector<Reading> readings = {};
 
   void read(std::initializer_list<Reading> more) { readings.insert(readings.end(), more); }

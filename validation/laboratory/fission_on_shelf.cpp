@@ -13,14 +13,10 @@ namespace seiche::validation::cases::fission_on_shelf {
 
 using namespace laboratory;
 
-const std::string source = "M. Matsuyama, M. Ikeno, T. Sakakiyama, T. Takeda, Pure Appl. Geophys. 164 (2007) 617-631";
-
 Experiment experiment(const Values& /*values*/) {
-  Series part{.name = "gauges",
-              .table = "matsuyama_2007_fission",
+  Series part{.table = "matsuyama_2007_fission",
               .group = Column{"x", "m", "distance from the still-water shoreline, negative offshore"},
               .abscissa = {"t", "s", "time since the wavemaker starts"},
-              .quantity = {"eta", "m", "surface elevation"},
               .input = 0.02,
               .input_reason = "motion of the paddle, estimated",
               .telling = 1.5};
@@ -29,13 +25,13 @@ Experiment experiment(const Values& /*values*/) {
   for (const auto& [x, window] : first) {
     part.read({highest(x, window), when_highest(x, window), misfit(x, window)});
   }
-  return {.source = source, .parts = {part}, .files = {"matsuyama_2007_fission/bed.csv"}};
+  return {.source = "M. Matsuyama, M. Ikeno, T. Sakakiyama, T. Takeda, Pure Appl. Geophys. 164 (2007) 617-631",
+          .parts = {part},
+          .files = {"matsuyama_2007_fission/bed.csv"}};
 }
 
 void fission_on_shelf(Case& c) {
-  c.title = "Fission of a long wave into solitons on a shelf";
-  c.source = source;
-  set_laboratory<experiment>(c);
+  set_laboratory<experiment>(c, "Fission of a long wave into solitons on a shelf");
 }
 
 }  // namespace seiche::validation::cases::fission_on_shelf

@@ -16,15 +16,10 @@ namespace seiche::validation::cases::gated_dam_break {
 
 using namespace laboratory;
 
-Experiment experiment(const Values& /*values*/) {
-  return gated_dam_break_in_shallow_water("muscl", "shallow water, finite volumes");
-}
-
 void gated_dam_break(Case& c) {
-  c.title = "Dam break over water behind a gate";
-  c.source = gated_dam_break_source;
-  c.parameters = {real("cell", 0.005, "m", {0.0005, 0.02}, "size")};
-  set_laboratory<experiment>(c);
+  set_laboratory<[](const Values&) {
+    return gated_dam_break_in_shallow_water("muscl", "shallow water, finite volumes");
+  }>(c, "Dam break over water behind a gate", {real("cell", 0.005, "m", {0.0005, 0.02}, "size")});
 }
 
 }  // namespace seiche::validation::cases::gated_dam_break

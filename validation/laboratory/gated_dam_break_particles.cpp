@@ -17,15 +17,10 @@ namespace seiche::validation::cases::gated_dam_break_particles {
 
 using namespace laboratory;
 
-Experiment experiment(const Values& /*values*/) {
-  return gated_dam_break_in_shallow_water("H2", "shallow-water particles");
-}
-
 void gated_dam_break_particles(Case& c) {
-  c.title = "Dam break over water behind a gate: shallow-water particles";
-  c.source = gated_dam_break_source;
-  c.parameters = {real("cell", 0.005, "m", {0.0005, 0.02}, "initial particle width")};
-  set_laboratory<experiment>(c);
+  set_laboratory<[](const Values&) { return gated_dam_break_in_shallow_water("H2", "shallow-water particles"); }>(
+      c, "Dam break over water behind a gate: shallow-water particles",
+      {real("cell", 0.005, "m", {0.0005, 0.02}, "initial particle width")});
   c.submission = {};  // others submit to gated_dam_break
 }
 

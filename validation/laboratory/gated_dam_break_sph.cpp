@@ -91,12 +91,10 @@ Experiment experiment(const Values& values) {
 }
 
 void gated_dam_break_sph(Case& c) {
-  c.title = "Dam break over water behind a gate: weakly compressible SPH";
-  c.source = gated_dam_break_source;
-  c.parameters =
+  set_laboratory<experiment>(
+      c, "Dam break over water behind a gate: weakly compressible SPH",
       with({real("dx", {0.006, 0.00375, 0.00375}, "m", {0.001, 0.01}, "particle spacing; also 1.5 and 2 times that")},
-           sph_parameters({.alpha = 0.3}, "sqrt(g times the depth behind the gate)"));
-  set_laboratory<experiment>(c);
+           sph_parameters({.alpha = 0.3}, "sqrt(g times the depth behind the gate)")));
   c.submission = {};  // others submit to gated_dam_break
 }
 

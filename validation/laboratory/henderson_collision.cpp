@@ -17,9 +17,6 @@ namespace seiche::validation::cases::henderson_collision {
 
 using namespace laboratory;
 
-const std::string source =
-    "J. Hammack, D. Henderson, P. Guyenne, M. Yi, Solitary-wave collisions, Proc. OMAE (2004); W. Craig et al., Phys. "
-    "Fluids 18 (2006) 057106";
 const std::vector<double> frames{18.5, 18.6, 18.7, 18.8, 18.92, 19, 19.05, 19.1, 19.15, 19.19, 19.33, 19.5, 19.85, 20};
 
 Submitted compute(const Run& run, double coarsening) {
@@ -50,7 +47,6 @@ Experiment experiment(const Values& /*values*/) {
               .kind = WantedTable::Kind::profile,
               .group = Column{"t", "s", "time of the experiment"},
               .abscissa = {"x", "m", "distance along the window"},
-              .quantity = {"eta", "m", "surface elevation"},
               .input = 0.02,
               .input_reason = "variation of the area of the profiles, which should be constant: 2.2 %",
               .telling = 0.05};
@@ -69,7 +65,9 @@ Experiment experiment(const Values& /*values*/) {
     }
     if (frame < 19.6) known(highest(frame, window));
   }
-  return {.source = source,
+  return {.source =
+              "J. Hammack, D. Henderson, P. Guyenne, M. Yi, Solitary-wave collisions, Proc. OMAE (2004); W. Craig et "
+              "al., Phys. Fluids 18 (2006) 057106",
           .parts = {part},
           .compute = compute,
           .model = "dispersive shallow water",
@@ -79,10 +77,8 @@ Experiment experiment(const Values& /*values*/) {
 }
 
 void henderson_collision(Case& c) {
-  c.title = "Head-on collision of two solitary waves: profiles of the laboratory";
-  c.source = source;
-  c.parameters = {real("spacing", 0.005, "m", {0.001, 0.02}, "of the nodes")};
-  set_laboratory<experiment>(c);
+  set_laboratory<experiment>(c, "Head-on collision of two solitary waves: profiles of the laboratory",
+                             {real("spacing", 0.005, "m", {0.001, 0.02}, "of the nodes")});
 }
 
 }  // namespace seiche::validation::cases::henderson_collision

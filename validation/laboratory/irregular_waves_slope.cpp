@@ -16,7 +16,6 @@ and then falls; asymmetry grows up to the shore.
 */
 #include <cmath>
 #include <filesystem>
-#include <map>
 #include <memory>
 
 #include "seiche/io/text_table.hpp"
@@ -32,7 +31,6 @@ namespace seiche::validation::cases::irregular_waves_slope {
 
 using namespace laboratory;
 
-const std::string source = "H. Mase, J. T. Kirby, Proc. 23rd Int. Conf. Coastal Eng. (1992) 474-487";
 const std::vector<double> depths{0.025, 0.05, 0.075, 0.1, 0.125, 0.15, 0.175, 0.2, 0.25, 0.3, 0.35};
 
 /// Still water before a slope of 1:20, from x = -10 m to the shore; the toe is at 0.
@@ -41,6 +39,11 @@ constexpr double shore = 20 * depth;
 constexpr double begin = -10;
 constexpr double layer_end = -5.5;  // of the absorbing layer, which begins at the left wall
 constexpr double sample = 0.05;     // of the records [s]
+
+const std::vector<std::pair<Column, double WaveStatistics::*>> statistics{
+    {{"std", "m", "standard deviation of the elevation"}, &WaveStatistics::deviation},
+    {{"skewness", "1", "skewness of the elevation"}, &WaveStatistics::skewness},
+    {{"asymmetry", "1", "asymmetry: minus the skewness of the Hilbert transform"}, &WaveStatistics::asymmetry}};
 
 Submitted compute(const Run& run, double coarsening) {
   const Flume flume{.bed_x = {begin - 1, 0, shore, shore + 4},
@@ -84,55 +87,45 @@ Submitted compute(const Run& run, double coarsening) {
   std::vector<double> places = each(depths, [&](const double one) { return 20 * (depth - one); });
   const std::vector<SubmittedGroup> gauges =
       gauge_records(flow, flume, depths, places, sample, warm_up + run.real("duration"), warm_up);
-  std::map<std::string, std::vector<double>> statistics;
-  for (const SubmittedGroup& gauge : gauges) {
-    const WaveStatistics one = wave_statistics(gauge.values.at("eta"));
-    statistics["std"].push_back(one.deviation);
-    statistics["skewness"].push_back(one.skewness);
-    statistics["asymmetry"].push_back(one.asymmetry);
-  }
+  std::vector<WaveStatistics> found;
+  for (const SubmittedGroup& gauge : gauges) found.push_back(wave_statistics(gauge.values.at("eta")));
   Submitted all;
-  for (const auto& [name, values] : statistics)
-    all[name] = {{.value = 0, .abscissa = depths, .values = {{name, values}}}};
+  for (const auto& [column, of] : statistics) {
+    all[column.name] = {{.value = 0, .abscissa = depths, .values = {{column.name, each(found, of)}}}};
+  }
   return all;
 }
 
-Series statistic(const std::string& name, const Column& quantity) {
-  Series part{.name = name,
-              .table = "mase_kirby_1992_irregular_slope",
-              .kind = WantedTable::Kind::profile,
-              .abscissa = {"depth", "m", "still depth"},
-              .quantity = quantity,
-              .spread = quantity.name + "_se"};
-  for (const double one : depths) part.readings.push_back(at(0, one, Kind::statistic));
-  return part;
-}
-
 Experiment experiment(const Values& values) {
-  return {
-      .source = source,
-      .parts = {statistic("std", {"std", "m", "standard deviation of the elevation"}),
-                statistic("skewness", {"skewness", "1", "skewness of the elevation"}),
-                statistic("asymmetry", {"asymmetry", "1", "asymmetry: minus the skewness of the Hilbert transform"})},
-      .files = {"mase_kirby_1992_irregular_slope/incident.csv", "mase_kirby_1992_irregular_slope/bed.csv"},
-      .compute = values.tier() == Tier::quick ? nullptr : compute,
-      .model = "dispersive shallow water with breaking, improved dispersion",
-      .coarsenings = {1, 1.5, 2},
-      .miss =
-          "28 % of the record, above 1.2 Hz, is too short for the model at the toe, k h above 2.8, where its group "
-          "velocity is 15 to 80 % too high and waves grow on the slope like longer ones: driven up to 2.2 Hz even very "
-          "small waves are 5 % higher in 0.35 m of water than at the toe, up to 1.6 Hz 2 %; and the viscosity that "
-          "leaves no waves behind a bore smears fronts: with 0.3 of it the asymmetry near the shore is half as large "
-          "again, and the waves are then 20 % too high"};
+  std::vector<Series> parts;
+  for (const auto& [column, unused] : statistics) {
+    Series& part = parts.emplace_back(Series{.name = column.name,
+                                             .table = "mase_kirby_1992_irregular_slope",
+                                             .kind = WantedTable::Kind::profile,
+                                             .abscissa = {"depth", "m", "still depth"},
+                                             .quantity = column,
+                                             .spread = column.name + "_se"});
+    for (const double one : depths) part.readings.push_back(at(0, one, Kind::statistic));
+  }
+  return {.source = "H. Mase, J. T. Kirby, Proc. 23rd Int. Conf. Coastal Eng. (1992) 474-487",
+          .parts = parts,
+          .files = {"mase_kirby_1992_irregular_slope/incident.csv", "mase_kirby_1992_irregular_slope/bed.csv"},
+          .compute = values.tier() == Tier::quick ? nullptr : compute,
+          .model = "dispersive shallow water with breaking, improved dispersion",
+          .coarsenings = {1, 1.5, 2},
+          .miss =
+              "28 % of the record, above 1.2 Hz, is too short for the model at the toe, k h above 2.8, where its group "
+              "velocity is 15 to 80 % too high and waves grow on the slope like longer ones: driven up to 2.2 Hz even "
+              "very small waves are 5 % higher in 0.35 m of water than at the toe, up to 1.6 Hz 2 %; and the viscosity "
+              "that leaves no waves behind a bore smears fronts: with 0.3 of it the asymmetry near the shore is half "
+              "as large again, and the waves are then 20 % too high"};
 }
 
 void irregular_waves_slope(Case& c) {
-  c.title = "Shoaling and breaking of irregular waves on a slope";
-  c.source = source;
-  c.parameters = {real("spacing", 0.025, "m", {0.01, 0.1}, "of the nodes"),
-                  real("duration", 749.95, "s", {10, 749.95}, "that is recorded")};
   c.tiers = {Tier::quick, Tier::full};
-  set_laboratory<experiment>(c);
+  set_laboratory<experiment>(c, "Shoaling and breaking of irregular waves on a slope",
+                             {real("spacing", 0.025, "m", {0.01, 0.1}, "of the nodes"),
+                              real("duration", 749.95, "s", {10, 749.95}, "that is recorded")});
 }
 
 }  // namespace seiche::validation::cases::irregular_waves_slope

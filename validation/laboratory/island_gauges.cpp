@@ -28,10 +28,6 @@ namespace seiche::validation::cases::island_gauges {
 
 using namespace laboratory;
 
-const std::string source =
-    "M. J. Briggs, C. E. Synolakis, G. S. Harkins, D. R. Green, Pure Appl. Geophys. 144 (1995) 569-593; P. L.-F. Liu "
-    "et al., J. Fluid Mech. 302 (1995) 259-285";
-
 struct Wave {
   std::string table;
   double letter;
@@ -100,21 +96,19 @@ Submitted compute(const Run& run, double coarsening) {
 
 Experiment experiment(const Values& values) {
   const Wave wave = wave_of(values);
-  Series gauges{.name = "gauges",
-                .table = wave.table,
+  Series gauges{.table = wave.table,
                 .group = Column{"gauge", "1", "number"},
                 .abscissa = {"t", "s", "time of the experiment"},
-                .quantity = {"eta", "m", "surface elevation"},
                 .still = Window{20, 22.5},
                 .input = 0.02,
                 .input_reason = "height of the wave along its crest",
                 .telling = 1.5,
                 .origin = wave.passes,
-                .clock = Clock{.group = 3, .range = 1, .window = {24, wave.passes + 3}}};
+                .clock = Clock{.group = 3, .range = 1, .window = {24, wave.passes + 3}},
+                .calibrating = {1, 2, 3, 4}};
   for (const double gauge : {1.0, 2.0, 3.0, 4.0, 6.0, 9.0, 16.0, 22.0}) {
     const Window window{24, gauge == 22 ? wave.lee : wave.until};
     gauges.readings.push_back(highest(gauge, window));
-    gauges.readings.back().calibration = gauge <= 4;
     if (gauge > 4) gauges.readings.push_back(when_highest(gauge, window));
     gauges.readings.push_back(misfit(gauge, window));
   }
@@ -127,7 +121,9 @@ Experiment experiment(const Values& values) {
                .rows = {{"case", wave.letter}}};
   for (const double angle : {0, 45, 90, 135, 180}) runup.readings.push_back(at(0, angle, Kind::run_up));
   return {
-      .source = source,
+      .source =
+          "M. J. Briggs, C. E. Synolakis, G. S. Harkins, D. R. Green, Pure Appl. Geophys. 144 (1995) 569-593; P. L.-F. "
+          "Liu et al., J. Fluid Mech. 302 (1995) 259-285",
       .parts = {gauges, runup},
       .files = {"briggs_1995_conical_island_a/bathymetry.asc", wave.table + "/gauges.csv", wave.table + "/paddle.csv"},
       .compute = values.tier() == Tier::quick ? nullptr : compute,
@@ -140,13 +136,11 @@ Experiment experiment(const Values& values) {
 }
 
 void island_gauges(Case& c) {
-  c.title = "A solitary wave around a conical island: gauges and run-up";
-  c.source = source;
   c.tiers = {Tier::quick, Tier::full};
-  c.parameters = {
-      choice("wave", "A", {"A", "B", "C"}, "the wave: H/h = 0.0445 (A), 0.0872 (B) or 0.179 (C)"),
-      real("spacing", 0.25, "m", {0.2, 0.5}, "column width along the walls of the basin, for the model run")};
-  set_laboratory<experiment>(c);
+  set_laboratory<experiment>(
+      c, "A solitary wave around a conical island: gauges and run-up",
+      {choice("wave", "A", {"A", "B", "C"}, "the wave: H/h = 0.0445 (A), 0.0872 (B) or 0.179 (C)"),
+       real("spacing", 0.25, "m", {0.2, 0.5}, "column width along the walls of the basin, for the model run")});
 }
 
 }  // namespace seiche::validation::cases::island_gauges

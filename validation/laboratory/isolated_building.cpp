@@ -14,8 +14,6 @@ namespace seiche::validation::cases::isolated_building {
 
 using namespace laboratory;
 
-const std::string source = "S. Soares-Frazao, Y. Zech, J. Hydraul. Res. 45, extra issue (2007) 27-36";
-
 Experiment experiment(const Values& /*values*/) {
   const Column gauge{"gauge", "1", "number"};
   const Column time{"t", "s", "time since the gate opens"};
@@ -38,15 +36,13 @@ Experiment experiment(const Values& /*values*/) {
     velocity.read({mean(at, {5, 7}, Kind::velocity), mean(at, {10, 12}, Kind::velocity)});
   }
   const std::string folder = "soares_frazao_zech_2007_isolated_building/";
-  return {.source = source,
+  return {.source = "S. Soares-Frazao, Y. Zech, J. Hydraul. Res. 45, extra issue (2007) 27-36",
           .parts = {depths, velocity},
           .files = {folder + "bathymetry.asc", folder + "building.stl", folder + "gauges.csv"}};
 }
 
 void isolated_building(Case& c) {
-  c.title = "Dam break against an oblique building";
-  c.source = source;
-  set_laboratory<experiment>(c);
+  set_laboratory<experiment>(c, "Dam break against an oblique building");
 }
 
 }  // namespace seiche::validation::cases::isolated_building

@@ -131,8 +131,7 @@ void draw(const Series& part, const std::vector<Measured>& data, const Computed&
           continue;
         }
         std::vector<double> x, y;
-        for (std::size_t i = 0; i < one.abscissa.size(); ++i) {
-          if (one.abscissa[i] < curve.x.front() || one.abscissa[i] > curve.x.back()) continue;
+        for (const std::size_t i : inside(one.abscissa, {curve.x.front(), curve.x.back()})) {
           x.push_back(one.abscissa[i]);
           y.push_back(one.values.at(part.quantity.name)[i]);
         }

@@ -1,11 +1,8 @@
 /// A laboratory experiment as a case: see experiment.hpp.
 ///
-///     Experiment experiment(const Values&) { return {.source = source, .parts = {...}}; }
+///     Experiment experiment(const Values&) { return {.source = "...", .parts = {...}}; }
 ///
-///     void submerged_bar(Case& c) {
-///       c.title = "...";
-///       set_laboratory<experiment>(c);
-///     }
+///     void submerged_bar(Case& c) { set_laboratory<experiment>(c, "Waves over a submerged bar"); }
 #pragma once
 
 #include "validation/laboratory/verdicts.hpp"
@@ -24,18 +21,19 @@ Computed compute_experiment(const Experiment& experiment, const Run& run);
 void show_experiment(const Experiment& experiment, const Computed& computed, const Values& values,
                      evidence::Exhibit& exhibit);
 
-/// Study and submission of a case.
-template <Experiment (*describe)(const Values&)>
-void set_laboratory(Case& c) {
-  void (*declare)(const Values&, const Claims<Computed>&) = [](const Values& values, const Claims<Computed>& claims) {
-    claim_experiment(describe(values), values, claims);
-  };
-  Computed (*compute)(const Run&) = [](const Run& run) { return compute_experiment(describe(run), run); };
-  void (*show)(const Computed&, const Values&, evidence::Exhibit&) = [](const Computed& computed, const Values& values,
-                                                                        evidence::Exhibit& exhibit) {
-    show_experiment(describe(values), computed, values, exhibit);
-  };
-  c.study = Study(declare, compute, show);
+/// Title, source, parameters, study and submission of a case.
+/// @tparam describe  Experiment (const Values&)
+template <auto describe>
+void set_laboratory(Case& c, const std::string& title, std::vector<Parameter> parameters = {}) {
+  c.title = title;
+  c.parameters = std::move(parameters);
+  c.source = describe(c.values(Tier::quick)).source;
+  c.study = Study(
+      +[](const Values& values, const Claims<Computed>& claims) { claim_experiment(describe(values), values, claims); },
+      +[](const Run& run) { return compute_experiment(describe(run), run); },
+      +[](const Computed& computed, const Values& values, evidence::Exhibit& exhibit) {
+        show_experiment(describe(values), computed, values, exhibit);
+      });
   c.submission = {.tables = [](const Values& values) { return wanted(describe(values), values); },
                   .judge = [](const Values& values, const Submitted& submitted, const SolverFacts& facts,
                               evidence::Record& record) { judge(describe(values), values, submitted, facts, record); }};

@@ -20,16 +20,11 @@ namespace seiche::validation::cases::luth_bar {
 
 using namespace laboratory;
 
-Experiment experiment(const Values& values) {
-  return luth_bar_experiment(values.text("wave"));
-}
-
 void luth_bar(Case& c) {
-  c.title = "Regular waves over a submerged bar: the flume of Luth, Klopman and Kitou";
-  c.source = luth_bar_source;
-  c.parameters = {choice("wave", "A", {"A", "C"}, "the waves: 2.02 or 1.01 s"),
-                  real("spacing", 0.02, "m", {0.01, 0.1}, "of the nodes"), dispersion_parameter()};
-  set_laboratory<experiment>(c);
+  set_laboratory<[](const Values& values) { return luth_bar_experiment(values.text("wave")); }>(
+      c, "Regular waves over a submerged bar: the flume of Luth, Klopman and Kitou",
+      {choice("wave", "A", {"A", "C"}, "the waves: 2.02 or 1.01 s"),
+       real("spacing", 0.02, "m", {0.01, 0.1}, "of the nodes"), dispersion_parameter()});
 }
 
 }  // namespace seiche::validation::cases::luth_bar

@@ -20,15 +20,10 @@ namespace seiche::validation::cases::luth_bar_short {
 
 using namespace laboratory;
 
-Experiment experiment(const Values& /*values*/) {
-  return luth_bar_experiment("C");
-}
-
 void luth_bar_short(Case& c) {
-  c.title = "Short waves over a submerged bar";
-  c.source = luth_bar_source;
-  c.parameters = {real("spacing", {0.03, 0.02, 0.02}, "m", {0.01, 0.1}, "of the nodes"), dispersion_parameter()};
-  set_laboratory<experiment>(c);
+  set_laboratory<[](const Values&) { return luth_bar_experiment("C"); }>(
+      c, "Short waves over a submerged bar",
+      {real("spacing", {0.03, 0.02, 0.02}, "m", {0.01, 0.1}, "of the nodes"), dispersion_parameter()});
   c.submission = {};  // others submit to luth_bar
 }
 

@@ -14,16 +14,10 @@ namespace seiche::validation::cases::monai_valley {
 
 using namespace laboratory;
 
-const std::string source =
-    "M. Matsuyama, H. Tanaka, Proc. Int. Tsunami Symposium (2001) 879-889; P. L.-F. Liu, H. Yeh, C. Synolakis (eds.), "
-    "Advanced Numerical Models for Simulating Tsunami Waves and Runup, World Scientific (2008) 223-230";
-
 Experiment experiment(const Values& /*values*/) {
-  Series gauges{.name = "gauges",
-                .table = "matsuyama_tanaka_2001_monai_valley",
+  Series gauges{.table = "matsuyama_tanaka_2001_monai_valley",
                 .group = Column{"gauge", "1", "number"},
                 .abscissa = {"t", "s", "time of the incident wave"},
-                .quantity = {"eta", "m", "surface elevation"},
                 .still = Window{10, 12},
                 .telling = 1.5};
   for (const double gauge : {5, 7, 9}) {
@@ -37,15 +31,16 @@ Experiment experiment(const Values& /*values*/) {
                      .quantity = {"R", "m", "highest run-up"},
                      .readings = {at(1, 1, Kind::run_up), at(2, 2, Kind::run_up), at(3, 3, Kind::run_up)}};
   const std::string folder = "matsuyama_tanaka_2001_monai_valley/";
-  return {.source = source,
-          .parts = {gauges, runup},
-          .files = {folder + "bathymetry.asc", folder + "incident.csv", folder + "gauges.csv"}};
+  return {
+      .source =
+          "M. Matsuyama, H. Tanaka, Proc. Int. Tsunami Symposium (2001) 879-889; P. L.-F. Liu, H. Yeh, C. Synolakis "
+          "(eds.), Advanced Numerical Models for Simulating Tsunami Waves and Runup, World Scientific (2008) 223-230",
+      .parts = {gauges, runup},
+      .files = {folder + "bathymetry.asc", folder + "incident.csv", folder + "gauges.csv"}};
 }
 
 void monai_valley(Case& c) {
-  c.title = "The tsunami of 1993 in the valley of Monai";
-  c.source = source;
-  set_laboratory<experiment>(c);
+  set_laboratory<experiment>(c, "The tsunami of 1993 in the valley of Monai");
 }
 
 }  // namespace seiche::validation::cases::monai_valley

@@ -18,8 +18,6 @@ namespace seiche::validation::cases::plane_beach {
 
 using namespace laboratory;
 
-const std::string source = literature::synolakis + "-545; thesis, California Institute of Technology (1986)";
-
 /// Heights are known to half a unit of the third decimal: of the profiles to `input`, of the run-up, of a wave as high
 /// to that, to `run_up_input` by the laws of run-up.
 struct Wave {
@@ -56,14 +54,13 @@ Experiment experiment(const Values& values) {
                .input = wave.run_up_input,
                .input_reason = "0.05 % of the wave height, by the run-up laws",
                .readings = {at(0, wave.run_up_amplitude, Kind::run_up)}};
-  return {.source = source, .parts = {profiles, runup}};
+  return {.source = literature::synolakis + "-545; thesis, California Institute of Technology (1986)",
+          .parts = {profiles, runup}};
 }
 
 void plane_beach(Case& c) {
-  c.title = "Solitary waves on a plane beach 1 : 19.85: surfaces and run-up";
-  c.source = source;
-  c.parameters = {choice("wave", "0.0185", {"0.0185", "0.3"}, "wave height over depth, H/h")};
-  set_laboratory<experiment>(c);
+  set_laboratory<experiment>(c, "Solitary waves on a plane beach 1 : 19.85: surfaces and run-up",
+                             {choice("wave", "0.0185", {"0.0185", "0.3"}, "wave height over depth, H/h")});
 }
 
 }  // namespace seiche::validation::cases::plane_beach

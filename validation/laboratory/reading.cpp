@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include <fmt/format.h>
@@ -21,24 +22,11 @@ struct Cut {
 
 Cut within(Curve curve, Window window) {
   Cut cut;
-  for (std::size_t i = 0; i < curve.x.size(); ++i) {
-    if (curve.x[i] < window.from || curve.x[i] > window.to) continue;
+  for (const std::size_t i : inside(curve.x, window)) {
     cut.x.push_back(curve.x[i]);
     cut.y.push_back(curve.y[i]);
   }
   return cut;
-}
-
-double largest_of(Curve curve) {
-  Largest largest;
-  for (const double y : curve.y) largest.add(y);
-  return largest.value();
-}
-
-double smallest_of(Curve curve) {
-  Largest largest;
-  for (const double y : curve.y) largest.add(-y);
-  return -largest.value();
 }
 
 double place_of_largest(Curve curve) {
@@ -66,8 +54,7 @@ double misfit_of(Curve computed, const Measured& measured, Window window, double
   Mean square;
   double asked = 0;
   double covered = 0;
-  for (std::size_t i = 0; i < measured.x.size(); ++i) {
-    if (measured.x[i] < window.from || measured.x[i] > window.to) continue;
+  for (const std::size_t i : inside(measured.x, window)) {
     ++asked;
     const double x = measured.x[i] + lag;
     if (computed.x.empty() || x < computed.x.front() || x > computed.x.back()) continue;
@@ -79,8 +66,7 @@ double misfit_of(Curve computed, const Measured& measured, Window window, double
 
 double uncertainty_of_misfit(const Measured& measured, Window window) {
   Mean square;
-  for (std::size_t i = 0; i < measured.x.size(); ++i) {
-    if (measured.x[i] < window.from || measured.x[i] > window.to) continue;
+  for (const std::size_t i : inside(measured.x, window)) {
     const double along = slope_at(measured.curve(), i) * measured.u_x;
     square.add(measured.u[i] * measured.u[i] + along * along);
   }
@@ -99,15 +85,12 @@ double blunt(const Measured& measured, Window window) {
   const Cut cut = within(measured.curve(), window);
   const auto highest = static_cast<std::size_t>(std::max_element(cut.y.begin(), cut.y.end()) - cut.y.begin());
   const double top = cut.y.at(highest);
-  double from = nan;
-  double to = nan;
-  for (std::size_t i = 0; i < measured.x.size(); ++i) {
-    const double x = measured.x[i];
-    if (x < window.from || x > window.to || measured.y[i] < top - 2 * measured.u[i]) continue;
-    if (std::isnan(from)) from = x;
-    to = x;
+  std::vector<double> near;
+  for (const std::size_t i : inside(measured.x, window)) {
+    if (!(measured.y[i] < top - 2 * measured.u[i])) near.push_back(measured.x[i]);
   }
-  return std::hypot(measured.u_x, 0.5 * (to - from) / std::numbers::sqrt3, between_points(cut.x, highest));
+  const double half = 0.5 * (near.back() - near.front());
+  return std::hypot(measured.u_x, half / std::numbers::sqrt3, between_points(cut.x, highest));
 }
 
 /// Amplitude of one harmonic by least squares with the mean and four harmonics.
@@ -124,12 +107,16 @@ double amplitude(Curve curve, int order, double period) {
   return std::hypot(solved[2 * order - 1], solved[2 * order]);
 }
 
-/// What an integral over a window changes where the abscissa is off by u_x; over its length, a mean.
-double moved_by_clock(const Measured& measured, Window window, bool over_length) {
-  const double from = std::max(window.from, measured.x.front());
-  const double to = std::min(window.to, measured.x.back());
-  const double change = (linear_at(measured.curve(), to) - linear_at(measured.curve(), from)) * measured.u_x;
-  return over_length ? change / (to - from) : change;
+/// The uncertainty of an integral over a window, or of a mean: it also changes where the abscissa is off by u_x.
+Reading integrated(const Reading& reading, bool over_length) {
+  Reading known = reading;
+  known.spread = [reading, over_length](const Measured& measured) {
+    const double from = std::max(reading.window.from, measured.x.front());
+    const double to = std::min(reading.window.to, measured.x.back());
+    const double change = (linear_at(measured.curve(), to) - linear_at(measured.curve(), from)) * measured.u_x;
+    return std::hypot(reading.shifted(measured), over_length ? change / (to - from) : change);
+  };
+  return known;
 }
 
 }  // namespace
@@ -153,10 +140,8 @@ double Reading::expected(const Measured& measured) const {
 double Reading::shifted(const Measured& measured) const {
   Measured up = measured;
   Measured down = measured;
-  for (std::size_t i = 0; i < measured.y.size(); ++i) {
-    up.y[i] += measured.u[i];
-    down.y[i] -= measured.u[i];
-  }
+  std::ranges::transform(measured.y, measured.u, up.y.begin(), std::plus{});
+  std::ranges::transform(measured.y, measured.u, down.y.begin(), std::minus{});
   return 0.5 * (of(up.curve(), up) - of(down.curve(), down));
 }
 
@@ -171,18 +156,21 @@ double Reading::uncertainty(const Measured& measured) const {
 }
 
 Reading highest(double group, Window window, Kind kind) {
-  return {
-      .id = "highest", .kind = kind, .words = "highest value", .group = group, .window = window, .read = largest_of};
+  return {.id = "highest",
+          .kind = kind,
+          .words = "highest value",
+          .group = group,
+          .window = window,
+          .read = [](Curve curve) { return largest(curve.y); }};
 }
 
 Reading height(double group, Window window) {
   const Reading top = highest(group, window);
   return {.id = "height",
-          .kind = Kind::height,
           .words = "height from trough to crest",
           .group = group,
           .window = window,
-          .read = [](Curve curve) { return largest_of(curve) - smallest_of(curve); },
+          .read = [](Curve curve) { return largest(curve.y) - smallest(curve.y); },
           .spread = [top](const Measured& measured) { return std::numbers::sqrt2 * top.uncertainty(measured); }};
 }
 
@@ -208,29 +196,23 @@ Reading arrival(double group, double level, Window window) {
 }
 
 Reading mean(double group, Window window, Kind kind) {
-  Reading mean{.id = fmt::format("mean-{:g}-{:g}", window.from, window.to),
-               .kind = kind,
-               .words = fmt::format("mean from {:g} to {:g}", window.from, window.to),
-               .group = group,
-               .window = window,
-               .read = [](Curve curve) { return integral(curve) / (curve.x.back() - curve.x.front()); }};
-  mean.spread = [of = mean](const Measured& measured) {
-    return std::hypot(of.shifted(measured), moved_by_clock(measured, of.window, true));
-  };
-  return mean;
+  return integrated({.id = fmt::format("mean-{:g}-{:g}", window.from, window.to),
+                     .kind = kind,
+                     .words = fmt::format("mean from {:g} to {:g}", window.from, window.to),
+                     .group = group,
+                     .window = window,
+                     .read = [](Curve curve) { return integral(curve) / (curve.x.back() - curve.x.front()); }},
+                    true);
 }
 
 Reading impulse(double group, Window window) {
-  Reading impulse{.id = "impulse",
-                  .kind = Kind::pressure,
-                  .words = fmt::format("impulse from {:g} to {:g}", window.from, window.to),
-                  .group = group,
-                  .window = window,
-                  .read = integral};
-  impulse.spread = [of = impulse](const Measured& measured) {
-    return std::hypot(of.shifted(measured), moved_by_clock(measured, of.window, false));
-  };
-  return impulse;
+  return integrated({.id = "impulse",
+                     .kind = Kind::pressure,
+                     .words = fmt::format("impulse from {:g} to {:g}", window.from, window.to),
+                     .group = group,
+                     .window = window,
+                     .read = integral},
+                    false);
 }
 
 Reading at(double group, double abscissa, Kind kind) {
@@ -251,7 +233,6 @@ Reading at(double group, double abscissa, Kind kind) {
 
 Reading harmonic(double group, int order, double period, Window window, double uncertainty) {
   return {.id = fmt::format("harmonic-{}", order),
-          .kind = Kind::height,
           .words = fmt::format("amplitude of harmonic {}", order),
           .group = group,
           .window = window,
@@ -273,17 +254,17 @@ Reading misfit(double group, Window window) {
 double lag_of(Curve computed, const Measured& measured, Window window, double range) {
   constexpr int steps = 200;
   const double step = range / steps;
+  const auto misfit = [&](double lag) { return misfit_of(computed, measured, window, lag); };
   double best = 0;
   double least = std::numeric_limits<double>::infinity();
   for (int k = -steps; k <= steps; ++k) {
-    const double left = misfit_of(computed, measured, window, k * step);
-    if (left < least) {
+    if (const double left = misfit(k * step); left < least) {
       least = left;
       best = k * step;
     }
   }
   // A parabola through the squares at the three best lags.
-  const auto square = [&](double lag) { return std::pow(misfit_of(computed, measured, window, lag), 2); };
+  const auto square = [&](double lag) { return std::pow(misfit(lag), 2); };
   const double before = square(best - step);
   const double after = square(best + step);
   const double curvature = before - 2 * least * least + after;

@@ -20,12 +20,13 @@
 
 #include <functional>
 #include <limits>
-#include <optional>
+#include <ranges>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "validation/instruments/agreement.hpp"
+#include "validation/instruments/each.hpp"
 
 namespace seiche::validation::laboratory {
 
@@ -36,7 +37,14 @@ const char* name(Kind kind);
 struct Window {
   double from = -std::numeric_limits<double>::infinity();
   double to = std::numeric_limits<double>::infinity();
+
+  [[nodiscard]] bool holds(double x) const { return x >= from && x <= to; }
 };
+
+/// Indices of the abscissae in a window; the view refers to them.
+inline auto inside(std::span<const double> x, Window window) {
+  return indices(x.size()) | std::views::filter([=](std::size_t i) { return window.holds(x[i]); });
+}
 
 /// A measured curve and how well its points are known.
 struct Measured {
@@ -58,7 +66,6 @@ struct Reading {
   bool along = false;                      ///< read in the unit of the abscissa
   /// Standard uncertainty of what is read, where it is not what adding the u of the points changes.
   std::function<double(const Measured&)> spread = {};
-  bool calibration = false;  ///< of what sets the model's input: shown, and no claim
 
   [[nodiscard]] bool misfit() const { return !read; }
   /// What a curve gives; NaN where the window holds no points.

@@ -21,10 +21,6 @@ using namespace laboratory;
 
 constexpr double half_width = 3.048;  // of the tank [m]
 
-const std::string source =
-    "R. W. Whalin, The limit of applicability of linear wave refraction theory in a convergence zone, Research Report "
-    "H-71-3, US Army Engineer Waterways Experiment Station, Vicksburg (1971)";
-
 /// A set of waves of the experiment, and how long they take to be the same from one period to the next.
 struct Train {
   double amplitude;  ///< [m]
@@ -94,7 +90,9 @@ Experiment experiment(const Values& values) {
     if (period < 3 || harmonic != 2) part.readings.push_back(when_highest(harmonic, window, Kind::place));
     part.readings.push_back(misfit(harmonic, window));
   }
-  return {.source = source,
+  return {.source =
+              "R. W. Whalin, The limit of applicability of linear wave refraction theory in a convergence zone, "
+              "Research Report H-71-3, US Army Engineer Waterways Experiment Station, Vicksburg (1971)",
           .parts = {part},
           .files = {"whalin_1971_semicircular_shoal/bathymetry.asc"},
           .ceiling = 0.3,
@@ -105,11 +103,9 @@ Experiment experiment(const Values& values) {
 }
 
 void semicircular_shoal(Case& c) {
-  c.title = "Regular waves on a semicircular shoal, incident amplitude known to 10 %";
-  c.source = source;
-  c.parameters = {integer("period", {2, 1, 3}, {1, 3}, "of the waves [s]"),
-                  real("spacing", 0.06, "m", {0.05, 0.15}, "column width, for the model run")};
-  set_laboratory<experiment>(c);
+  set_laboratory<experiment>(c, "Regular waves on a semicircular shoal, incident amplitude known to 10 %",
+                             {integer("period", {2, 1, 3}, {1, 3}, "of the waves [s]"),
+                              real("spacing", 0.06, "m", {0.05, 0.15}, "column width, for the model run")});
 }
 
 }  // namespace seiche::validation::cases::semicircular_shoal

@@ -15,17 +15,11 @@ namespace seiche::validation::cases::shelf_and_cone {
 
 using namespace laboratory;
 
-const std::string source =
-    "P. J. Lynett, D. Swigler, H. El Safty, L. Montoya, A. S. Keen, S. Son, P. Higuera, J. Waterway Port Coastal Ocean "
-    "Eng. 145 (2019) 04019024";
-
 Experiment experiment(const Values& /*values*/) {
   const Column time{"t", "s", "time of the experiment"};
-  Series gauges{.name = "gauges",
-                .table = "lynett_2010_shelf_cone",
+  Series gauges{.table = "lynett_2010_shelf_cone",
                 .group = Column{"gauge", "1", "number"},
                 .abscissa = time,
-                .quantity = {"eta", "m", "surface elevation"},
                 .telling = 1.5,
                 .origin = 3.62,
                 .clock = Clock{.group = 1, .range = 1.5, .window = {1, 6}}};
@@ -43,15 +37,15 @@ Experiment experiment(const Values& /*values*/) {
   for (const double probe : {1, 2, 3}) {
     velocity.read({highest(probe, {0, 20}, Kind::velocity), misfit(probe, {0, 20})});
   }
-  return {.source = source,
+  return {.source =
+              "P. J. Lynett, D. Swigler, H. El Safty, L. Montoya, A. S. Keen, S. Son, P. Higuera, J. Waterway Port "
+              "Coastal Ocean Eng. 145 (2019) 04019024",
           .parts = {gauges, velocity},
           .files = {"lynett_2010_shelf_cone/bathymetry.asc", "lynett_2010_shelf_cone/gauges.csv"}};
 }
 
 void shelf_and_cone(Case& c) {
-  c.title = "A solitary wave on a shelf with a conical island";
-  c.source = source;
-  set_laboratory<experiment>(c);
+  set_laboratory<experiment>(c, "A solitary wave on a shelf with a conical island");
 }
 
 }  // namespace seiche::validation::cases::shelf_and_cone

@@ -18,8 +18,6 @@ namespace seiche::validation::cases::solitary_shoaling {
 
 using namespace laboratory;
 
-const std::string source =
-    "S. T. Grilli, R. Subramanya, I. A. Svendsen, J. Veeramony, J. Waterway Port Coastal Ocean Eng. 120 (1994) 609-628";
 const std::vector<double> gauges{-5, 20.96, 22.55, 23.68, 24.68, 25.91};
 const std::vector<double> crests{13.64, 38.81, 40.56, 41.70, 42.82, 44.28};
 
@@ -33,15 +31,13 @@ Submitted compute(const Run& run, double coarsening) {
                     .gravity = 1};
   const double crest = -52;
   dispersive::Flow flow = solitary_waves(flume, {{.depth = 1, .amplitude = 0.2, .crest = crest}});
-  std::vector<double> places;  // from the shoreline
-  for (const double x : gauges) places.push_back(x - 34.7);
+  const std::vector<double> places = each(gauges, [](double x) { return x - 34.7; });  // from the shoreline
   const double start = crests.front() - (places.front() - crest) / std::sqrt(1.2);
   return {{"gauges", gauge_records(flow, flume, gauges, places, 0.025, 45.5 - start, -start)}};
 }
 
 Experiment experiment(const Values& /*values*/) {
-  Series part{.name = "gauges",
-              .table = "grilli_1994_solitary_shoaling",
+  Series part{.table = "grilli_1994_solitary_shoaling",
               .group = Column{"x", "1", "distance from the toe of the slope, in depths"},
               .abscissa = {"T", "1", "time t sqrt(g/depth)"},
               .quantity = {"eta", "1", "elevation over the depth"},
@@ -56,7 +52,9 @@ Experiment experiment(const Values& /*values*/) {
     if (k > 0) part.readings.push_back(when_highest(gauges[k], window));
     part.readings.push_back(misfit(gauges[k], window));
   }
-  return {.source = source,
+  return {.source =
+              "S. T. Grilli, R. Subramanya, I. A. Svendsen, J. Veeramony, J. Waterway Port Coastal Ocean Eng. 120 "
+              "(1994) 609-628",
           .parts = {part},
           .files = {"grilli_1994_solitary_shoaling/bed.csv"},
           .compute = compute,
@@ -64,10 +62,8 @@ Experiment experiment(const Values& /*values*/) {
 }
 
 void solitary_shoaling(Case& c) {
-  c.title = "Shoaling of a solitary wave until breaking";
-  c.source = source;
-  c.parameters = {real("spacing", 0.1, "depth", {0.02, 0.4}, "of the nodes")};
-  set_laboratory<experiment>(c);
+  set_laboratory<experiment>(c, "Shoaling of a solitary wave until breaking",
+                             {real("spacing", 0.1, "depth", {0.02, 0.4}, "of the nodes")});
 }
 
 }  // namespace seiche::validation::cases::solitary_shoaling

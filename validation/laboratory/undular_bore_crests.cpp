@@ -11,10 +11,10 @@ Froude number; 1.11 and 1.15 are inside the range of all three series.
 **What to look at.** The measured crests scatter by 10 to 30 % between depths, with friction, capillarity and distance
 travelled. In the theory of modulated waves the first crest slowly grows beyond twice the bore height.
 */
-#include <algorithm>
 #include <cmath>
 
 #include "seiche/models/dispersive_shallow_water_1d/water_surface.hpp"
+#include "seiche/samples.hpp"
 #include "validation/laboratory/laboratory_case.hpp"
 #include "validation/studies/dispersive_shallow_water/dispersive_flume.hpp"
 
@@ -22,9 +22,6 @@ namespace seiche::validation::cases::undular_bore_crests {
 
 using namespace laboratory;
 
-const std::string source =
-    "H. Favre, Etude theorique et experimentale des ondes de translation dans les canaux decouverts, Dunod, Paris "
-    "(1935); A. Treske, J. Hydraul. Res. 32 (1994) 355-370";
 const std::vector<double> depths{0.1, 0.16, 0.2};
 
 Submitted compute(const Run& run, double coarsening) {
@@ -37,8 +34,7 @@ Submitted compute(const Run& run, double coarsening) {
     dispersive::Flow flow = smooth_bore(flume, depth, jump, 5 * depth);
     froude.push_back(std::sqrt((1 + jump) * (1 + jump / 2)));
     march(flow, 63.5 / (froude.back() * std::sqrt(flume.gravity * depth)), stable_steps(flow, flume.tau));
-    const std::vector<double> surface = dispersive::water_surface(flow);
-    crest.push_back(*std::max_element(surface.begin(), surface.end()) / depth);
+    crest.push_back(largest(dispersive::water_surface(flow)) / depth);
   }
   std::vector<SubmittedGroup> series;
   for (const double one : depths)
@@ -59,15 +55,17 @@ Experiment experiment(const Values& /*values*/) {
     part.readings.push_back(misfit(depth, {}));
     for (const double froude : {1.11, 1.15}) part.readings.push_back(at(depth, froude, Kind::height));
   }
-  return {
-      .source = source, .parts = {part}, .compute = compute, .model = "dispersive shallow water, improved dispersion"};
+  return {.source =
+              "H. Favre, Etude theorique et experimentale des ondes de translation dans les canaux decouverts, Dunod, "
+              "Paris (1935); A. Treske, J. Hydraul. Res. 32 (1994) 355-370",
+          .parts = {part},
+          .compute = compute,
+          .model = "dispersive shallow water, improved dispersion"};
 }
 
 void undular_bore_crests(Case& c) {
-  c.title = "The first crest of an undular bore";
-  c.source = source;
-  c.parameters = {real("spacing", {0.06, 0.04, 0.04}, "m", {0.01, 0.1}, "of the nodes")};
-  set_laboratory<experiment>(c);
+  set_laboratory<experiment>(c, "The first crest of an undular bore",
+                             {real("spacing", {0.06, 0.04, 0.04}, "m", {0.01, 0.1}, "of the nodes")});
 }
 
 }  // namespace seiche::validation::cases::undular_bore_crests

@@ -29,9 +29,7 @@ std::string plain(std::string text, const char* minus) {
 /// Root mean square of the measured curve: what an incident wave that is off by a share makes of a misfit.
 double size_of(const Measured& measured, Window window) {
   Mean square;
-  for (std::size_t i = 0; i < measured.x.size(); ++i) {
-    if (measured.x[i] >= window.from && measured.x[i] <= window.to) square.add(std::pow(measured.y[i], 2));
-  }
+  for (const std::size_t i : inside(measured.x, window)) square.add(std::pow(measured.y[i], 2));
   return std::sqrt(square.value());
 }
 
@@ -56,7 +54,7 @@ std::optional<Clock> clock_of(const Submitted& computed, const Series& part) {
 
 /// Whether no reading with a sign tells an amplitude, so that misfits alone do.
 bool by_misfits_alone(const std::vector<Question>& all) {
-  return std::ranges::none_of(all, [](const Question& one) { return one.size() != 0 && !one.reading().misfit(); });
+  return std::ranges::none_of(all, [](const Question& one) { return one.size != 0 && !one.reading.misfit(); });
 }
 
 /// Names of the parts that a factor changes.
@@ -64,7 +62,7 @@ std::vector<std::string> scaled_parts(const std::vector<Question>& all) {
   const bool misfits = by_misfits_alone(all);
   std::set<std::string> names;
   for (const Question& one : all) {
-    if (one.size() != 0 && (misfits || !one.reading().misfit())) names.insert(one.part().name);
+    if (one.size != 0 && (misfits || !one.reading.misfit())) names.insert(one.part.name);
   }
   return {names.begin(), names.end()};
 }
@@ -75,92 +73,84 @@ double chi_squared(std::size_t freedom) {
 }
 
 /// Covariances of the data of readings with a sign.
-Eigen::MatrixXd covariance(const std::vector<const Question*>& of) {
-  const auto n = static_cast<Eigen::Index>(of.size());
+Eigen::MatrixXd covariance(const std::vector<Question>& all, const std::vector<std::size_t>& index) {
+  const auto n = static_cast<Eigen::Index>(index.size());
   Eigen::MatrixXd v = Eigen::MatrixXd::Zero(n, n);
   for (Eigen::Index i = 0; i < n; ++i) {
-    const Question& a = *of[static_cast<std::size_t>(i)];
+    const Question& a = all[index[static_cast<std::size_t>(i)]];
     for (Eigen::Index j = 0; j < i; ++j) {
-      const Question& b = *of[static_cast<std::size_t>(j)];
-      if (a.part().name != b.part().name) continue;
-      const bool clocked = a.part().kind == WantedTable::Kind::series;
-      if (clocked && a.reading().along && b.reading().along) v(i, j) = a.measured().u_x * b.measured().u_x;
-      if (a.reading().group == b.reading().group) v(i, j) += a.datum() * b.datum();
+      const Question& b = all[index[static_cast<std::size_t>(j)]];
+      if (a.part.name != b.part.name) continue;
+      const bool clocked = a.part.kind == WantedTable::Kind::series;
+      if (clocked && a.reading.along && b.reading.along) v(i, j) = a.measured->u_x * b.measured->u_x;
+      if (a.reading.group == b.reading.group) v(i, j) += a.datum * b.datum;
       v(j, i) = v(i, j);
     }
-    v(i, i) = std::pow(a.data_uncertainty(), 2);
+    v(i, i) = std::pow(a.u_data, 2);
   }
   return v;
 }
 
 }  // namespace
 
-Question::Question(const Series& part, const Reading& reading, std::shared_ptr<const Measured> measured)
-    : part_(part), reading_(reading), measured_(std::move(measured)) {
-  expected_ = reading.expected(*measured_);
-  u_data_ = reading.uncertainty(*measured_);
+Question::Question(const Series& from, const Reading& what, std::shared_ptr<const Measured> curve)
+    : part(from),
+      reading(what),
+      measured(std::move(curve)),
+      expected(reading.expected(*measured)),
+      u_data(reading.uncertainty(*measured)) {
   if (reading.along) return;
-  size_ = reading.misfit() ? size_of(*measured_, reading.window) : expected_;
+  size = reading.misfit() ? size_of(*measured, reading.window) : expected;
   if (reading.misfit() || part.kind != WantedTable::Kind::series) return;
-  datum_ = std::numbers::sqrt2 / 2 * std::clamp(reading.shifted(*measured_), -u_data_, u_data_);
+  datum = std::numbers::sqrt2 / 2 * std::clamp(reading.shifted(*measured), -u_data, u_data);
 }
 
 std::string Question::id() const {
-  const std::string suffix = part_.group ? fmt::format("-{}", plain(fmt::format("{:g}", reading_.group), "m")) : "";
-  return fmt::format("{}-{}{}", part_.name, plain(reading_.id, "-"), suffix);
+  const std::string suffix = part.group ? fmt::format("-{}", plain(fmt::format("{:g}", reading.group), "m")) : "";
+  return fmt::format("{}-{}{}", part.name, plain(reading.id, "-"), suffix);
 }
 
 std::string Question::unit() const {
-  if (reading_.along) return part_.abscissa.unit;
-  return reading_.id == "impulse" && part_.quantity.unit != "1" ? part_.quantity.unit + " s" : part_.quantity.unit;
+  if (reading.along) return part.abscissa.unit;
+  return reading.id == "impulse" && part.quantity.unit != "1" ? part.quantity.unit + " s" : part.quantity.unit;
 }
 
 double Question::answer(const Submitted& computed, double factor) const {
-  const SubmittedGroup* group = group_of(computed, part_, reading_.group);
+  const SubmittedGroup* group = group_of(computed, part, reading.group);
   if (group == nullptr) return nan;
-  const bool scalar = part_.kind == WantedTable::Kind::scalars;
-  std::vector<double> y = group->values.at(part_.quantity.name);
+  const bool scalar = part.kind == WantedTable::Kind::scalars;
+  std::vector<double> y = group->values.at(part.quantity.name);
   for (double& one : y) one /= factor;
-  return reading_.of({scalar ? measured_->x : group->abscissa, y}, *measured_);
+  return reading.of({scalar ? measured->x : group->abscissa, y}, *measured);
 }
 
 std::optional<double> Question::stated(const std::map<std::string, StatedUncertainty>& uncertainty) const {
-  const auto of_y = uncertainty.find(part_.quantity.name);
-  const auto of_x = uncertainty.find(part_.abscissa.name);
+  const auto of_y = uncertainty.find(part.quantity.name);
+  const auto of_x = uncertainty.find(part.abscissa.name);
   if (of_y == uncertainty.end() && of_x == uncertainty.end()) return std::nullopt;
-  Measured as_stated = *measured_;
-  Worst largest;
-  for (const double y : as_stated.y) largest.add(y);
-  const double u = of_y == uncertainty.end() ? 0 : of_y->second.of(largest.value());
-  std::fill(as_stated.u.begin(), as_stated.u.end(), u);
+  Measured as_stated = *measured;
+  const double u = of_y == uncertainty.end() ? 0 : of_y->second.of(worst(as_stated.y));
+  std::ranges::fill(as_stated.u, u);
   as_stated.u_x = of_x == uncertainty.end() ? 0 : of_x->second.of(as_stated.x.back() - as_stated.x.front());
   if (u == 0 && as_stated.u_x == 0) return 0;
-  const double all = reading_.uncertainty(as_stated);
+  const double all = reading.uncertainty(as_stated);
   return std::isnan(all) ? std::nullopt : std::optional(all);
 }
 
 std::optional<Question> Question::within(const SubmittedGroup& record) const {
   if (record.abscissa.empty()) return *this;
-  Reading part = reading_;
-  part.window = {std::max(reading_.window.from, record.abscissa.front()),
-                 std::min(reading_.window.to, record.abscissa.back())};
-  const std::vector<double>& x = measured_->x;
-  const auto inside = [&](double at) { return at >= part.window.from && at <= part.window.to; };
-  if (std::ranges::none_of(x, inside) || std::isnan(part.of(measured_->curve(), *measured_))) return {};
-  const Curve given{record.abscissa, record.values.at(part_.quantity.name)};
-  std::vector<double> held, between;
-  for (const double at : x) {
-    if (!inside(at)) continue;
-    held.push_back(at);
-    between.push_back(linear_at(given, at));
-  }
-  const bool sparse = std::isnan(part.of(given, *measured_)) && !std::isnan(part.of({held, between}, *measured_));
+  Reading there = reading;
+  there.window = {std::max(reading.window.from, record.abscissa.front()),
+                  std::min(reading.window.to, record.abscissa.back())};
+  const std::vector<double>& x = measured->x;
+  const std::vector<double> held = each(inside(x, there.window), [&](std::size_t i) { return x[i]; });
+  if (held.empty() || std::isnan(there.of(measured->curve(), *measured))) return {};
+  const Curve given{record.abscissa, record.values.at(part.quantity.name)};
+  const std::vector<double> between = each(held, [&](double at) { return linear_at(given, at); });
+  const bool sparse = std::isnan(there.of(given, *measured)) && !std::isnan(there.of({held, between}, *measured));
   if (sparse) return {};
-  if (std::ranges::count_if(x, inside) ==
-      std::ranges::count_if(x, [&](double at) { return at >= reading_.window.from && at <= reading_.window.to; })) {
-    return *this;
-  }
-  return Question(part_, part, measured_);
+  const auto asked = static_cast<std::size_t>(std::ranges::distance(inside(x, reading.window)));
+  return held.size() == asked ? *this : Question(part, there, measured);
 }
 
 std::vector<Question> questions(const Experiment& experiment, const Values& values, bool calibration) {
@@ -169,7 +159,9 @@ std::vector<Question> questions(const Experiment& experiment, const Values& valu
     for (const Measured& curve : measured(part, values)) {
       const auto kept = std::make_shared<const Measured>(curve);
       for (const Reading& reading : part.readings) {
-        if (reading.calibration == calibration && (!part.group || reading.group == curve.group)) {
+        const bool calibrates =
+            !reading.misfit() && std::ranges::find(part.calibrating, reading.group) != part.calibrating.end();
+        if (calibrates == calibration && (!part.group || reading.group == curve.group)) {
           all.emplace_back(part, reading, kept);
         }
       }
@@ -222,31 +214,28 @@ double Metric::noticed() const {
 
 Metric metric(const std::vector<Question>& all, const Submitted& computed, const Sources& sources) {
   const bool misfits_alone = by_misfits_alone(all);
-  std::vector<const Question*> of;
-  std::vector<std::size_t> index;
+  std::vector<std::size_t> index;  // of the readings that a covariance is known of
   for (std::size_t k = 0; k < all.size(); ++k) {
-    if (all[k].reading().misfit() && !misfits_alone) continue;
-    of.push_back(&all[k]);
-    index.push_back(k);
+    if (!all[k].reading.misfit() || misfits_alone) index.push_back(k);
   }
   const auto gather = [&](const auto& value) {
     Eigen::VectorXd gathered(static_cast<Eigen::Index>(index.size()));
     for (std::size_t i = 0; i < index.size(); ++i) gathered[static_cast<Eigen::Index>(i)] = value(index[i]);
     return gathered;
   };
-  const auto input = [&](std::size_t k) { return all[k].part().input * all[k].size(); };
+  const auto input = [&](std::size_t k) { return all[k].part.input * all[k].size; };
   const auto numerical = [&](std::size_t k) { return sources.numerical.empty() ? 0 : sources.numerical[k]; };
   const std::vector<std::string> parts = scaled_parts(all);
   Eigen::MatrixXd sizes(static_cast<Eigen::Index>(index.size()), static_cast<Eigen::Index>(parts.size()));
   for (std::size_t p = 0; p < parts.size(); ++p) {
     sizes.col(static_cast<Eigen::Index>(p)) =
-        gather([&](std::size_t k) { return all[k].part().name == parts[p] ? all[k].size() : 0; });
+        gather([&](std::size_t k) { return all[k].part.name == parts[p] ? all[k].size : 0; });
   }
   const Eigen::VectorXd size = sizes.rowwise().sum();
   const Eigen::VectorXd incident = gather(input);
-  const Eigen::VectorXd error = gather(
-      [&](std::size_t k) { return all[k].reading().misfit() ? 0 : all[k].answer(computed) - all[k].expected(); });
-  Eigen::MatrixXd v = covariance(of);
+  const Eigen::VectorXd error =
+      gather([&](std::size_t k) { return all[k].reading.misfit() ? 0 : all[k].answer(computed) - all[k].expected; });
+  Eigen::MatrixXd v = covariance(all, index);
   // Of a common factor, from the readings as well as these covariances let it be told.
   const auto of_factor = [&] { return 1 / std::sqrt(size.dot(v.llt().solve(size))); };
   const auto more = [](double total, double before) {
@@ -269,8 +258,8 @@ Metric metric(const std::vector<Question>& all, const Submitted& computed, const
     share.add(of_part.cwiseSign().cwiseAbs().dot(own) / of_part.cwiseAbs().sum());
   }
   for (std::size_t k = 0; k < all.size(); ++k) {
-    const double telling = std::max(all[k].part().telling, 2 * all[k].data_uncertainty());
-    if (all[k].reading().along && 2 * numerical(k) > telling) share.add(std::numeric_limits<double>::infinity());
+    const double telling = std::max(all[k].part.telling, 2 * all[k].u_data);
+    if (all[k].reading.along && 2 * numerical(k) > telling) share.add(std::numeric_limits<double>::infinity());
   }
   result.shared = share.value();
 
@@ -279,17 +268,17 @@ Metric metric(const std::vector<Question>& all, const Submitted& computed, const
   const Eigen::VectorXd pull = sizes.transpose() * weighted;
   const double by_factors = pull.dot((sizes.transpose() * factors.solve(sizes)).llt().solve(pull));
   const auto own_uncertainty = [&](std::size_t k) {
-    double u = std::hypot(all[k].data_uncertainty(), numerical(k));
+    double u = std::hypot(all[k].u_data, numerical(k));
     for (const auto& changes : sources.shared) u = std::hypot(u, changes[k]);
     return u;
   };
   const auto misfit = [&](std::size_t k, double amplitude) {
-    return all[k].answer(computed, 1 + amplitude * all[k].part().input) / own_uncertainty(k);
+    return all[k].answer(computed, 1 + amplitude * all[k].part.input) / own_uncertainty(k);
   };
   const auto left_by = [&](double amplitude) {
     double sum = amplitude * amplitude;
     for (std::size_t k = 0; k < all.size(); ++k) {
-      if (all[k].reading().misfit()) sum += std::pow(misfit(k, amplitude), 2);
+      if (all[k].reading.misfit()) sum += std::pow(misfit(k, amplitude), 2);
     }
     return sum;
   };
@@ -302,11 +291,11 @@ Metric metric(const std::vector<Question>& all, const Submitted& computed, const
   double rest = error.dot(weighted) - by_factors + (misfits_alone ? explained * explained : 0);
   for (std::size_t k = 0; k < all.size(); ++k) {
     const Question& one = all[k];
-    if (one.reading().misfit()) {
+    if (one.reading.misfit()) {
       result.scores.push_back(misfit(k, explained));
       rest += std::pow(result.scores.back(), 2);
     } else {
-      result.scores.push_back((one.answer(computed) - one.expected()) / std::hypot(own_uncertainty(k), input(k)));
+      result.scores.push_back((one.answer(computed) - one.expected) / std::hypot(own_uncertainty(k), input(k)));
     }
   }
   const std::size_t left = all.size() - (misfits_alone ? 0 : parts.size());
@@ -323,7 +312,7 @@ std::optional<double> numerical_uncertainty(const std::vector<Question>& all, co
   for (const std::string& part : scaled_parts(all)) {
     std::vector<double>& shared = sources.shared.emplace_back();
     for (std::size_t k = 0; k < all.size(); ++k) {
-      shared.push_back(all[k].part().name == part ? sources.numerical[k] : 0);
+      shared.push_back(all[k].part.name == part ? sources.numerical[k] : 0);
     }
   }
   const bool explained = found.passes() || metric(all, computed, sources).passes();
@@ -363,9 +352,9 @@ void show_readings(const std::vector<Question>& all, const Submitted& computed, 
                                       "u computed [1]", "origin [1]", "E/u [1]"});
   for (std::size_t k = 0; k < all.size(); ++k) {
     const Question& one = all[k];
-    table.rows.push_back({name(one.reading().kind), one.id(), one.expected(),
-                          std::hypot(one.data_uncertainty(), one.part().input * one.size()), one.answer(computed),
-                          numerical[k], one.reading().along ? one.part().origin : 0.0, scores[k]});
+    table.rows.push_back({name(one.reading.kind), one.id(), one.expected,
+                          std::hypot(one.u_data, one.part.input * one.size), one.answer(computed), numerical[k],
+                          one.reading.along ? one.part.origin : 0.0, scores[k]});
   }
 }
 
@@ -377,7 +366,7 @@ void show_calibration(const Experiment& experiment, const Values& values, const 
                                      "Readings of the gauges that set the input of a computation: no claims.",
                                      {"reading", "measured [1]", "computed [1]", "unit"});
   for (const Question& one : all) {
-    table.rows.push_back({one.id(), one.expected(), one.answer(computed), one.unit()});
+    table.rows.push_back({one.id(), one.expected, one.answer(computed), one.unit()});
   }
 }
 
@@ -397,15 +386,15 @@ void judge(const Experiment& experiment, const Values& values, const Submitted& 
   Sources sources;
   std::string open;  // why nothing is decided, unless it is clearly wrong
   for (const Question& one : questions(experiment, values)) {
-    const SubmittedGroup* group = group_of(computed, one.part(), one.reading().group);
+    const SubmittedGroup* group = group_of(computed, one.part, one.reading.group);
     const std::optional<Question> asked = group == nullptr ? std::nullopt : one.within(*group);
     if (!asked) {
-      const SubmittedGroup* given = group_of(submitted, one.part(), one.reading().group);
+      const SubmittedGroup* given = group_of(submitted, one.part, one.reading.group);
       const bool by_clock = given != nullptr && one.within(*given).has_value();
       if (by_clock) open = ", readings outside the record on the measured clock";
       record.leave_out({{.id = one.id(),
-                         .text = fmt::format("{}: {}", one.part().quantity.meaning, one.reading().words),
-                         .quantity = one.reading().words,
+                         .text = fmt::format("{}: {}", one.part.quantity.meaning, one.reading.words),
+                         .quantity = one.reading.words,
                          .unit = one.unit(),
                          .source = experiment.source},
                         group == nullptr ? "no record was submitted"
@@ -420,7 +409,7 @@ void judge(const Experiment& experiment, const Values& values, const Submitted& 
     sources.numerical.push_back(u.value_or(0));
   }
   const bool no_clock = std::ranges::any_of(shifts, [](const auto& one) { return std::isnan(one.second); });
-  if (no_clock || std::ranges::all_of(present, [](const Question& one) { return one.size() == 0; })) {
+  if (no_clock || std::ranges::all_of(present, [](const Question& one) { return one.size == 0; })) {
     record.keep({claim_of(experiment),
                  criterion_of(experiment, 0, 0, coverage(questions(experiment, values))),
                  {.verdict = evidence::Verdict::inconclusive,

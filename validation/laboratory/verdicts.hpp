@@ -32,34 +32,26 @@
 namespace seiche::validation::laboratory {
 
 /// One reading with everything that judging it needs.
-class Question {
- public:
+struct Question {
   Question(const Series& part, const Reading& reading, std::shared_ptr<const Measured> measured);
 
-  [[nodiscard]] const Series& part() const { return part_; }
-  [[nodiscard]] const Reading& reading() const { return reading_; }
-  [[nodiscard]] double expected() const { return expected_; }
-  /// Standard uncertainty of the data, and what of it is the gauge's zero and calibration, with its sign.
-  [[nodiscard]] double data_uncertainty() const { return u_data_; }
-  [[nodiscard]] double datum() const { return datum_; }
-  /// What a common factor of 1 + s changes, over s: nothing of times and places.
-  [[nodiscard]] double size() const { return size_; }
+  Series part;
+  Reading reading;
+  std::shared_ptr<const Measured> measured;
+  double expected = 0;
+  double u_data = 0;  ///< standard uncertainty of the data
+  double datum = 0;   ///< what of it is the gauge's zero and calibration, with its sign
+  double size = 0;    ///< what a common factor of 1 + s changes, over s: nothing of times and places
+
   [[nodiscard]] std::string id() const;
   [[nodiscard]] std::string unit() const;
   /// What a computed record gives, divided by a factor. NaN where the part or the group is not there.
   [[nodiscard]] double answer(const Submitted& computed, double factor = 1) const;
   /// Standard, from what is stated of the columns; none where nothing is, or where it leaves no arrival.
   [[nodiscard]] std::optional<double> stated(const std::map<std::string, StatedUncertainty>& uncertainty) const;
-  [[nodiscard]] const Measured& measured() const { return *measured_; }
   /// The same of that part of the window for which a record is there; none where no measured point is in it, or where
   /// the record has too few points in it for what could be read between them.
   [[nodiscard]] std::optional<Question> within(const SubmittedGroup& record) const;
-
- private:
-  Series part_;
-  Reading reading_;
-  std::shared_ptr<const Measured> measured_;
-  double expected_ = 0, u_data_ = 0, datum_ = 0, size_ = 0;
 };
 
 /// @param calibration  those of what sets the model's input, which are shown, instead of those that are judged

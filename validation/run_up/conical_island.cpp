@@ -31,6 +31,7 @@ nodes only instead of whole fronts, the run-up of C at the sides is two to four 
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 
 #include <fmt/format.h>
@@ -66,23 +67,13 @@ std::size_t waves_in(Tier tier) {
   return tier == Tier::quick ? 1 : waves.size();
 }
 
-io::Table measured(const io::Table& table, double height) {
-  return rows_where(table, {{"H_over_d", height}});
-}
-
 struct Passed {
   double height = 0;  // [m]
   double spacing = 0;
   std::vector<double> time, front, back;  // elevation of the shoreline over the height
-  Worst energy_defect;                    // what friction and rezoning take
-  double energy_of_rezoning = 0;          // relative to the first
-  long rezoned = 0;                       // times
-  long refused = 0;                       // times it could not be
-  long halved = 0;                        // steps
-  double displaced = 0;                   // by rezoning, of all water
-  Worst volume_defect;                    // relative, of the worst cell
   std::optional<double> tangled;          // when [s]
   RunupEnvelope envelope;                 // run-up of the markers
+  std::map<std::string, double> numbers;  // what else the report shows
 
   /// Run-up over the height.
   [[nodiscard]] double at(double place) const { return envelope.at(place) / height; }
@@ -96,10 +87,6 @@ struct Passed {
   }
 };
 
-std::string resolution(double spacing, double step) {
-  return fmt::format("columns {:g} m wide, tau = {:.3g} s", spacing, step);
-}
-
 using Observe = std::function<void(const Flow& flow, double time)>;
 
 /// @param height  over which elevations are given [m]
@@ -108,6 +95,7 @@ Passed pass(const ConicalIsland& island, double spacing, double height, const Ob
   Passed passed{.height = height, .spacing = spacing, .envelope = RunupEnvelope(flow.flow())};
   const double energy = flow.energy();
   const double end = island.passage() + after_passage;
+  Worst energy_defect;  // what friction and rezoning take
   try {
     march(flow, end, island.step(), [&] {
       const Flow& now = flow.flow();
@@ -115,23 +103,24 @@ Passed pass(const ConicalIsland& island, double spacing, double height, const Ob
       passed.time.push_back(flow.time());
       passed.front.push_back(now.z()[0] / passed.height);
       passed.back.push_back(now.z()[now.shape().columns] / passed.height);
-      passed.energy_defect.add(flow.energy() / energy - 1, flow.time());
+      energy_defect.add(flow.energy() / energy - 1, flow.time());
       if (observe) observe(now, flow.time());
     });
   } catch (const Divergence&) {
     passed.tangled = flow.time();
   }
-  passed.rezoned = flow.rezoned();
-  passed.refused = flow.refused();
-  passed.halved = flow.halved();
-  passed.displaced = flow.displaced() / flow.flow().model().mass();
-  passed.energy_of_rezoning = flow.lost() / energy;
   const auto& model = flow.flow().model();
   std::vector<double> defects(model.shape().cells());
   model.constraint_values(flow.flow().state().q, defects);
-  for (std::size_t cell = 0; cell < defects.size(); ++cell) {
-    passed.volume_defect.add(defects[cell] / model.first_volumes()[cell]);
-  }
+  const auto defect = [&](std::size_t cell) { return defects[cell] / model.first_volumes()[cell]; };
+  passed.numbers = {{"energy_defect", energy_defect.value()},
+                    {"energy_of_rezoning", flow.lost() / energy},
+                    {"rezoned", static_cast<double>(flow.rezoned())},
+                    {"refused", static_cast<double>(flow.refused())},
+                    {"halved", static_cast<double>(flow.halved())},  // steps
+                    {"displaced", flow.displaced() / model.mass()},  // of all water
+                    {"volume_defect", over<Worst>(indices(defects.size()), defect).value()}};
+  if (passed.tangled) passed.numbers["tangle_time"] = *passed.tangled;
   return passed;
 }
 
@@ -162,33 +151,34 @@ double finest_spacing(const Values& values) {
   return values.tier() == Tier::quick ? 0.45 : 0.25;
 }
 
-Measurement deviation_of(const std::vector<Passed>& spacings, const io::Table& data) {
-  const std::vector<double> rms = each(spacings, [&](const Passed& passed) { return deviation(passed, data); });
-  return {.value = rms.front(), .uncertainty = fine_limit(each(spacings, &Passed::spacing), rms, 1).uncertainty};
-}
+/// With two spacings, the finer first.
+using Spacings = std::vector<Passed>;
 
 /// Columns so near to each other that they resolve where wave C breaks.
 bool resolves_breaking(double spacing) {
   return spacing < 0.2;
 }
 
-void claim_runup(const Claims<std::vector<Passed>>& claims, const Wave& wave, double spacing, const io::Table& data) {
+void claim_runup(const Claims<Spacings>& claims, const Wave& wave, double spacing, const io::Table& data) {
   const evidence::Claim runup{
       "runup-" + wave.name,
       fmt::format(
           "The run-up around the island agrees with the measurements within the expanded uncertainty (wave {}).",
           wave.name),
       "rms of R/R_measured - 1, of all nine angles", "1", source};
-  const Uncertainty criterion{
-      .data = reference_source("conical_island_runup").standard_uncertainty.at("R_over_A").value,
-      .useful = 0.25,
-      .reason =
-          "10 % of the measurements (assumed), since mirror pairs of angles differ by 5 to 10 %; numerical: from two "
-          "spacings, first-order"};
-  const auto off = [data](const std::vector<Passed>& spacings) { return deviation_of(spacings, data); };
+  const auto off = [data](const Passed& passed) { return deviation(passed, data); };
   if (wave.name != "C") {
     claims.only_if(wave.name == "A" || spacing < 0.3, "columns 0.35 and 0.7 m wide differ by more than the limit")
-        .check(runup, off, criterion);
+        .check(
+            runup,
+            [off](const Spacings& all) -> Measurement {
+              const std::vector<double> rms = each(all, off);
+              return {.value = rms.front(), .uncertainty = fine_limit(each(all, &Passed::spacing), rms, 1).uncertainty};
+            },
+            Uncertainty{.data = reference_source("conical_island_runup").standard_uncertainty.at("R_over_A").value,
+                        .useful = 0.25,
+                        .reason = "10 % of the measurements (assumed), since mirror pairs of angles differ by 5 to 10 "
+                                  "%; numerical: from two spacings, first-order"});
   } else {
     claims
         .fails({.width = std::numeric_limits<double>::infinity(),
@@ -196,7 +186,7 @@ void claim_runup(const Claims<std::vector<Passed>>& claims, const Wave& wave, do
                           "one; the difference falls with the column width"},
                !resolves_breaking(spacing))
         .check(
-            runup, [data](const std::vector<Passed>& spacings) { return deviation(spacings.front(), data); },
+            runup, [off](const Spacings& all) { return off(all.front()); },
             Bound{.limit = 0.2,
                   .reason = "twice the 10 % of the measurements; the numerical error is not first-order where the wave "
                             "breaks and cannot be estimated from two spacings"});
@@ -213,14 +203,13 @@ void claim_runup(const Claims<std::vector<Passed>>& claims, const Wave& wave, do
                       "zero (wave {}).",
                       wave.name),
           "measured angles without a maximum",
-          [data](const std::vector<Passed>& spacings) {
-            return std::ranges::count_if(data.column("angle"),
-                                         [&](double angle) { return !spacings.front().saw(angle); });
+          [data](const Spacings& all) {
+            return std::ranges::count_if(data.column("angle"), [&](double angle) { return !all.front().saw(angle); });
           },
           Bound{.limit = 0, .reason = "run-up is compared at every measured angle"});
 }
 
-void claim_whole(const Claims<std::vector<Passed>>& claims, const Wave& wave, double spacing) {
+void claim_whole(const Claims<Spacings>& claims, const Wave& wave, double spacing) {
   claims
       .fails({.value = 0,
               .width = 0,
@@ -232,7 +221,7 @@ void claim_whole(const Claims<std::vector<Passed>>& claims, const Wave& wave, do
           fmt::format("The mesh remains untangled until 6 s after the crest passes the island's centre (wave {}).",
                       wave.name),
           "wave fronts met behind the island, mesh untangled",
-          [](const std::vector<Passed>& spacings) {
+          [](const Spacings& spacings) {
             return std::ranges::none_of(spacings, [](const Passed& one) { return one.tangled.has_value(); });
           },
           Qualitative{
@@ -254,13 +243,11 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const double spacing = finest_spacing(values);
   for (std::size_t k = 0; k < waves_in(values.tier()); ++k) {
     const double step = ConicalIsland({.height = waves[k].height, .spacing = spacing}).step();
-    const auto wave = claims.at(resolution(spacing, step));
-    const auto spacings = wave.of(&Results::passed).entry(k);
-    claim_runup(spacings, waves[k], spacing, measured(table, waves[k].stated));
+    const auto spacings =
+        claims.at(fmt::format("columns {:g} m wide, tau = {:.3g} s", spacing, step)).of(&Results::passed).entry(k);
+    claim_runup(spacings, waves[k], spacing, rows_where(table, {{"H_over_d", waves[k].stated}}));
     claim_whole(spacings, waves[k], spacing);
-    if (waves[k].name == "A") {
-      claim_lee(wave.of([k](const Results& r) -> const Passed& { return r.passed.at(k).front(); }));
-    }
+    if (waves[k].name == "A") claim_lee(spacings.entry(0));
   }
 }
 
@@ -302,7 +289,7 @@ void draw_runup(evidence::Exhibit& exhibit, const Results& r, const io::Table& t
                                 "to tangling, if any; the shallow-water model of Liu et al. (1995).");
   for (std::size_t k = 0; k < r.passed.size(); ++k) {
     const Passed& passed = r.passed[k].front();
-    const io::Table data = measured(table, waves[k].stated);
+    const io::Table data = rows_where(table, {{"H_over_d", waves[k].stated}});
     auto& panel = figure.panel(
         {.x = "angle [deg]", .y = "R/A", .title = fmt::format("{}: A/h = {:g}", waves[k].name, waves[k].nominal)});
     const std::vector<double> highest = passed.envelope.runup();
@@ -351,16 +338,10 @@ void draw_shown(evidence::Exhibit& exhibit, const Results& r, double height) {
 
 void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   draw_shown(exhibit, r, values.real("height"));
-  for (std::size_t k = 0; k < r.passed.size(); ++k) {
-    const Passed& passed = r.passed[k].front();
-    exhibit.measure("energy_defect_" + waves[k].name, passed.energy_defect.value());
-    exhibit.measure("energy_of_rezoning_" + waves[k].name, passed.energy_of_rezoning);
-    exhibit.measure("rezoned_" + waves[k].name, static_cast<double>(passed.rezoned));
-    exhibit.measure("refused_" + waves[k].name, static_cast<double>(passed.refused));
-    exhibit.measure("halved_" + waves[k].name, static_cast<double>(passed.halved));
-    exhibit.measure("displaced_" + waves[k].name, passed.displaced);
-    exhibit.measure("volume_defect_" + waves[k].name, passed.volume_defect.value());
-    if (passed.tangled) exhibit.measure("tangle_time_" + waves[k].name, *passed.tangled);
+  for (const std::size_t k : indices(r.passed.size())) {
+    for (const auto& [name, number] : r.passed[k].front().numbers) {
+      exhibit.measure(fmt::format("{}_{}", name, waves[k].name), number);
+    }
   }
   draw_runup(exhibit, r, values.table("conical_island_runup"));
 }

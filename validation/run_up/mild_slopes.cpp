@@ -2,12 +2,12 @@
 
 #include <cmath>
 #include <string>
-#include <utility>
 
 #include "seiche/exact/solitary_runup.hpp"
 #include "seiche/samples.hpp"
 #include "validation/instruments/each.hpp"
-#include "validation/run_up/mesh_slope_climb.hpp"
+#include "validation/run_up/mesh_climb.hpp"
+#include "validation/run_up/solitary_climb.hpp"
 
 namespace seiche::validation {
 namespace {
@@ -19,30 +19,28 @@ std::vector<double> euler_on_meshes(double cot_slope, double amplitude) {
   std::vector<double> runup;
   for (const long refinement : {1, 2, 4}) {
     const double spacing = 0.5 / static_cast<double>(refinement);
-    runup.push_back(climb_slope({.wave = exact::SolitaryWave(amplitude),
-                                 .tan_slope = 1 / cot_slope,
-                                 .crest = reach,
-                                 .toe = std::ceil(2 * reach),
-                                 .spacing = spacing,
-                                 .rows = 4 * refinement,
-                                 .tau = 0.1 * spacing})
-                        .runup);
+    runup.push_back(climb_on_mesh({.wave = exact::SolitaryWave(amplitude),
+                                   .tan_slope = 1 / cot_slope,
+                                   .spacing = spacing,
+                                   .rows = 4 * refinement,
+                                   .tau = 0.1 * spacing,
+                                   .crest = reach,
+                                   .toe = std::ceil(2 * reach)})
+                        .runup());
   }
   return runup;
 }
 
 }  // namespace
 
-std::vector<EulerRunup> euler_runups(const std::vector<ComputedRunup>& rows) {
+std::vector<EulerRunup> euler_runups(const std::vector<MeasuredWave>& waves) {
   std::vector<EulerRunup> all;
-  for (const ComputedRunup& row : rows) {
-    if (std::isnan(row.measured) || row.measured == misprinted_runup || row.cot_slope <= 2) continue;
-    if (!exact::SolitaryRunup(1, 1, row.amplitude, row.cot_slope).nonbreaking()) continue;
-    const std::vector<double> r = euler_on_meshes(row.cot_slope, row.amplitude);
+  for (const MeasuredWave& wave : waves) {
+    if (!exact::SolitaryRunup(1, 1, wave.amplitude, wave.cot_slope).nonbreaking()) continue;
+    const std::vector<double> r = euler_on_meshes(wave.cot_slope, wave.amplitude);
     const double coarser = 2 * r[1] - r[0];
     const double finest = 2 * r[2] - r[1];
-    all.push_back({row.cot_slope, row.amplitude, row.measured, row.computed[green_naghdi].back(), finest,
-                   std::abs(finest - coarser)});
+    all.push_back({wave, finest, std::abs(finest - coarser)});
   }
   return all;
 }
@@ -50,17 +48,16 @@ std::vector<EulerRunup> euler_runups(const std::vector<ComputedRunup>& rows) {
 std::vector<SmallWave> small_waves(const Values& values, double spacing) {
   std::vector<SmallWave> all;
   for (const double cot_slope : {10.0, 3.732, 2.747}) {
-    SolitaryClimb climb = climb_from(values, cot_slope, SmallWave::amplitude);
-    climb.spacing = spacing;
-    climb.tip_mass = runup_variants[consistent].tip_mass;
-    SmallWave wave{.cot_slope = cot_slope};
-    for (const auto& [variant, height] :
-         {std::pair{consistent, &SmallWave::frank}, std::pair{green_naghdi, &SmallWave::green_naghdi}}) {
-      climb.kinetics = runup_variants[variant].kinetics;
-      wave.*height = run_up(climb).height;
-    }
-    wave.exact = exact::SolitaryRunup(1, 1, SmallWave::amplitude, cot_slope).highest().elevation;
-    all.push_back(wave);
+    SolitaryClimb climb = climb_from(values, cot_slope, SmallWave::amplitude, spacing);
+    climb.tip_mass = dispersive::TipMass::consistent;
+    const auto with = [&](dispersive::Kinetics kinetics) {
+      climb.kinetics = kinetics;
+      return run_up(climb).height;
+    };
+    all.push_back({.cot_slope = cot_slope,
+                   .frank = with(dispersive::Kinetics::frank),
+                   .green_naghdi = with(dispersive::Kinetics::green_naghdi),
+                   .exact = exact::SolitaryRunup(1, 1, SmallWave::amplitude, cot_slope).highest().elevation});
   }
   return all;
 }

@@ -6,22 +6,24 @@
 
 #include "reports/evidence/record.hpp"
 #include "validation/case/claims.hpp"
-#include "validation/run_up/frank_runup.hpp"
+#include "validation/case/parameter.hpp"
 
 namespace seiche::validation {
 
-/// Run-up by the Euler equations on the two-dimensional Lagrangian mesh, extrapolated to fine cells.
-struct EulerRunup {
-  double cot_slope = 0;
-  double amplitude = 0;
-  double measured = 0;
-  double green_naghdi = 0;  ///< by the one-dimensional model, as fine as it was computed
-  double runup = 0;         ///< from the two finest of three meshes, first order
-  double uncertainty = 0;   ///< what the last halving of the cells changes of it
+/// A wave on a slope of more than cotangent 2, with its run-up as measured and by the one-dimensional model with the
+/// kinetic energy of Green and Naghdi, as fine as it was computed.
+struct MeasuredWave {
+  double cot_slope = 0, amplitude = 0, measured = 0, green_naghdi = 0;
 };
 
-/// Of the measured waves on slopes of more than cotangent 2 that do not break on their way up.
-std::vector<EulerRunup> euler_runups(const std::vector<ComputedRunup>& rows);
+/// Run-up by the Euler equations on the two-dimensional Lagrangian mesh, extrapolated to fine cells.
+struct EulerRunup : MeasuredWave {
+  double runup = 0;        ///< from the two finest of three meshes, first order
+  double uncertainty = 0;  ///< what the last halving of the cells changes of it
+};
+
+/// Of those that do not break on their way up.
+std::vector<EulerRunup> euler_runups(const std::vector<MeasuredWave>& waves);
 
 /// A wave so small that shallow-water theory holds to its height.
 struct SmallWave {

@@ -47,37 +47,40 @@ SetUp set_up(const Values& values) {
   return {climb, {1, 1, climb.amplitude, cot_slope}};
 }
 
-struct History {
-  std::vector<double> time, shoreline;
-};
-
 struct Surface {
   double time = 0;
   std::vector<double> x, y;
 };
 
-Surface surface_of(const Flow& flow) {
-  return {.time = flow.time(), .x = {flow.x().begin(), flow.x().end()}, .y = {flow.y().begin(), flow.y().end()}};
+/// What of it the figures show.
+Surface surface_of(const Flow& flow, double cot_slope) {
+  Surface surface{.time = flow.time()};
+  for (const std::size_t i : indices(flow.x().size())) {
+    if (flow.x()[i] < -2 * cot_slope - 5) continue;
+    surface.x.push_back(flow.x()[i]);
+    surface.y.push_back(flow.y()[i]);
+  }
+  return surface;
 }
 
 /// Time zero of the shoreline is when the undisturbed crest would be at the toe.
-void draw_shoreline(evidence::Exhibit& exhibit, const History& history, const exact::SolitaryRunup& theory,
-                    double law) {
+void draw_shoreline(evidence::Exhibit& exhibit, const RunUp& up, double toe_time, const exact::SolitaryRunup& theory) {
   auto& panel =
       add_panel(exhibit, "shoreline", "The shoreline",
                 "Shoreline elevation, with the exact shallow-water shoreline until it breaks, and the run-up law.",
                 {.x = "t [sqrt(depth/g)] since the crest was at the toe", .y = "elevation [depth]"});
-  constexpr double visible = 0.01;  // of the law
-  const auto rises = std::ranges::find_if(history.shoreline, [&](double y) { return y > visible * law; });
-  const auto first = rises == history.shoreline.end() ? 0 : rises - history.shoreline.begin();
-  const std::span shown_time = std::span(history.time).subspan(static_cast<std::size_t>(first));
-  panel.line("model", shown_time, std::span(history.shoreline).subspan(static_cast<std::size_t>(first)),
-             Role::computed);
+  const double visible = 0.01 * theory.law();
+  const auto rises = std::ranges::find_if(up.levels, [&](double y) { return y > visible; });
+  const auto first = static_cast<std::size_t>(rises == up.levels.end() ? 0 : rises - up.levels.begin());
+  const std::vector<double> all_times = up.since(toe_time);
+  const std::span shown_time = std::span(all_times).subspan(first);
+  panel.line("model", shown_time, std::span(up.levels).subspan(first), Role::computed);
   const std::vector<double> time =
       evenly(shown_time.front(), std::min(shown_time.back(), 0.999 * theory.breaking_time()), 201);
   panel.line("shallow-water equations", time, each(time, [&](double t) { return theory.shoreline(t).elevation; }),
              Role::exact);
-  panel.line("run-up law", std::vector{shown_time.front(), shown_time.back()}, std::vector{law, law}, Role::guide);
+  panel.line("run-up law", std::vector{shown_time.front(), shown_time.back()}, std::vector(2, theory.law()),
+             Role::guide);
 }
 
 void draw_profiles(evidence::Exhibit& exhibit, const std::vector<Surface>& surfaces, double cot_slope) {
@@ -87,22 +90,15 @@ void draw_profiles(evidence::Exhibit& exhibit, const std::vector<Surface>& surfa
     const double lowest = -0.3;
     auto& panel = figure.panel(
         {.x = "x [depth]", .y = "elevation [depth]", .title = fmt::format("t = {:.1f}", one.time), .y_min = lowest});
-    std::vector<double> x, y;
-    for (std::size_t i = 0; i < one.x.size(); ++i) {
-      if (one.x[i] < -2 * cot_slope - 5) continue;
-      x.push_back(one.x[i]);
-      y.push_back(one.y[i]);
-    }
-    const double land = 1.2 * std::max(x.back(), 0.1 * cot_slope);
-    panel.fill("bottom", std::vector{x.front(), -cot_slope, land}, std::vector{-1.0, -1.0, land / cot_slope},
+    const double land = 1.2 * std::max(one.x.back(), 0.1 * cot_slope);
+    panel.fill("bottom", std::vector{one.x.front(), -cot_slope, land}, std::vector{-1.0, -1.0, land / cot_slope},
                Role::bed);
-    panel.line("surface", x, y, Role::computed);
+    panel.line("surface", one.x, one.y, Role::computed);
   }
 }
 
 struct Results {
   SetUp set_up;
-  History history;
   std::vector<Surface> surfaces;
   RunUp up;
 };
@@ -129,14 +125,12 @@ Results compute(const Run& run) {
   const double toe_time = climb.time_to(-climb.cot_slope);
   const double expected_time = toe_time + 3 * climb.cot_slope + 10;
   const auto note = [&](const Flow& flow) {
-    const double shoreline = flow.y().back();
-    if (flow.time() <= toe_time) r.surfaces[0] = surface_of(flow);
-    if (r.history.shoreline.empty() || shoreline > r.surfaces[1].y.back()) r.surfaces[1] = surface_of(flow);
-    r.history.time.push_back(flow.time() - toe_time);
-    r.history.shoreline.push_back(shoreline);
+    if (flow.time() <= toe_time) r.surfaces[0] = surface_of(flow, climb.cot_slope);
+    Surface& highest = r.surfaces[1];
+    if (highest.y.empty() || flow.y().back() > highest.y.back()) highest = surface_of(flow, climb.cot_slope);
     run.progress(std::min(1.0, flow.time() / expected_time));
   };
-  r.up = run_up(climb, {.after_step = note, .latest = run.real("time")});
+  r.up = run_up(climb, note, run.real("time"));
   return r;
 }
 
@@ -144,11 +138,12 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   const auto& [climb, theory] = r.set_up;
   exhibit.measure("runup", r.up.height);
   exhibit.measure("time_of_maximum", r.up.time);
-  exhibit.measure("time_of_maximum_after_toe", r.up.time - climb.time_to(-climb.cot_slope));
+  const double toe_time = climb.time_to(-climb.cot_slope);
+  exhibit.measure("time_of_maximum_after_toe", r.up.time - toe_time);
   exhibit.measure("runup_law", theory.law());
   exhibit.measure("runup_of_shallow_water_equations", theory.highest().elevation);
   exhibit.measure("amplitude_over_backwash_limit", climb.amplitude / backwash_limit(climb.cot_slope));
-  draw_shoreline(exhibit, r.history, theory, theory.law());
+  draw_shoreline(exhibit, r.up, toe_time, theory);
   draw_profiles(exhibit, r.surfaces, climb.cot_slope);
 }
 

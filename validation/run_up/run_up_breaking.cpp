@@ -42,18 +42,14 @@ struct RunDown {
   double lowest = nan;        ///< of the shoreline after it
   double later = nan;         ///< highest of the shoreline from then on
   double energy = nan;        ///< at the end, over that of the start
-  std::string failure;        ///< empty if the run went through
+  bool through = true;        ///< nothing failed
   double failure_time = nan;  ///< since the start
   double failure_place = nan;
   bool sound = true;  ///< the state before the failure is finite, and the place of failure in its water
-
-  [[nodiscard]] bool through() const { return failure.empty(); }
 };
 
 bool in_the_water(const dispersive::Flow& flow, double place) {
-  const auto finite = [](std::span<const double> values) {
-    return std::all_of(values.begin(), values.end(), [](double value) { return std::isfinite(value); });
-  };
+  const auto finite = [](std::span<const double> values) { return std::isfinite(worst(values)); };
   const double cell = flow.x()[1] - flow.x()[0];
   return finite(flow.x()) && finite(flow.y()) && finite(flow.p()) && finite(flow.r()) &&
          place >= flow.x().front() - cell && place <= largest(flow.x()) + cell;
@@ -83,7 +79,7 @@ RunDown run_down(const SolitaryClimb& climb) {
       if (lowest.count() > 0) later.add(shoreline);
     }
   } catch (const Divergence& failure) {
-    fate.failure = failure.what();
+    fate.through = false;
     fate.failure_time = failure.time();
     fate.failure_place = failure.place();
     fate.sound = std::isfinite(failure.time()) && in_the_water(flow, failure.place());
@@ -116,46 +112,41 @@ struct Told {
   Wave wave;
   double spacing = 0;
   RunDown fate;
+
+  [[nodiscard]] bool below() const { return wave.over_limit() < 1; }
+  /// Runs through and returns lower than it came.
+  [[nodiscard]] bool returns_lower() const { return fate.through && fate.later <= fate.runup; }
 };
 
-SolitaryClimb climb_of(const Values& values, Wave wave, double spacing) {
-  SolitaryClimb climb = climb_from(values, wave.cot_slope, wave.amplitude);
-  climb.spacing = spacing;
-  return climb;
+Told tell(const Run& run, const Wave& wave, double spacing) {
+  return {wave, spacing, run_down(climb_from(run, wave.cot_slope, wave.amplitude, spacing))};
 }
 
 /// All with two spacings.
-std::vector<Told> tell(const Run& run) {
+std::vector<Told> tell_all(const Run& run) {
   std::vector<Told> all;
-  const double spacing = run.real("h");
-  for (const double h : {spacing, spacing / 2}) {
+  for (const double part : {1.0, 2.0}) {
     for (const Wave& wave : told) {
-      all.push_back({wave, h, run_down(climb_of(run, wave, h))});
+      all.push_back(tell(run, wave, run.real("h") / part));
       run.progress(0.6 * static_cast<double>(all.size()) / static_cast<double>(2 * told.size()));
     }
   }
   return all;
 }
 
-/// One of the map of slopes and heights.
-struct Mapped {
-  Wave wave;
-  RunDown fate;
-};
-
 const std::vector<double> mapped_slopes{1, 1.5, 2, 2.747, 3.732, 5, 7, 10};
 
-std::vector<Mapped> map_fates(const Run& run) {
+/// The map of slopes and heights.
+std::vector<Told> map_fates(const Run& run) {
   const std::vector<double> ratios{0.7, 0.85, 0.99, 1.2, 1.5, 2, 3};  // to the limit
   constexpr double highest = 0.6;                                     // there are no much higher solitary waves
-  std::vector<Mapped> all;
+  std::vector<Told> all;
   double done = 0;
   for (const double cot_slope : mapped_slopes) {
     for (const double ratio : ratios) {
       const Wave wave{cot_slope, ratio * backwash_limit(cot_slope)};
       run.progress(0.6 + 0.4 * ++done / static_cast<double>(mapped_slopes.size() * ratios.size()));
-      if (wave.amplitude > highest) continue;
-      all.push_back({wave, run_down(climb_of(run, wave, run.real("h")))});
+      if (wave.amplitude <= highest) all.push_back(tell(run, wave, run.real("h")));
     }
   }
   return all;
@@ -163,7 +154,7 @@ std::vector<Mapped> map_fates(const Run& run) {
 
 struct Results {
   std::vector<Told> told;
-  std::vector<Mapped> map = {};
+  std::vector<Told> map = {};
 };
 
 void tabulate(evidence::Exhibit& exhibit, const std::vector<Told>& all) {
@@ -178,25 +169,17 @@ void tabulate(evidence::Exhibit& exhibit, const std::vector<Told>& all) {
     table.rows.push_back({one.wave.cot_slope, one.wave.amplitude, std::round(one.wave.over_limit() * 100) / 100,
                           one.spacing, rounded(fate.runup), rounded(fate.fell ? fate.lowest : nan),
                           rounded(fate.fell ? fate.later : nan), rounded(fate.energy),
-                          fate.through() ? Cell("through")
-                                         : fmt::format("stops at t = {:+.1f}, x = {:.2f}",
-                                                       fate.failure_time - fate.runup_time, fate.failure_place)});
+                          fate.through ? Cell("through")
+                                       : fmt::format("stops at t = {:+.1f}, x = {:.2f}",
+                                                     fate.failure_time - fate.runup_time, fate.failure_place)});
   }
 }
 
-bool below(const Wave& wave) {
-  return wave.over_limit() < 1;
-}
-
-/// Runs through and returns lower than it came.
-bool returns_lower(const RunDown& fate) {
-  return fate.through() && fate.later <= fate.runup;
-}
-
 /// Whether all that `which` selects are so.
-template <class Which, class Is>
-bool all_are(const std::vector<Told>& all, const Which& which, const Is& is) {
-  return std::ranges::all_of(all, [&](const Told& one) { return !which(one) || is(one); });
+auto all_are(std::vector<Told> Results::*list, bool (*which)(const Told&), bool (*is)(const Told&)) {
+  return [=](const Results& r) {
+    return std::ranges::all_of(r.*list, [&](const Told& one) { return !which(one) || is(one); });
+  };
 }
 
 /// Later heights of the shoreline over the run-up, of waves that climb.
@@ -204,33 +187,26 @@ template <class Samples, class... Property>
 Samples later_heights(const std::vector<Told>& all, bool under, const Property&... property) {
   Samples samples;
   for (const Told& one : all) {
-    if (one.wave.climbs() && below(one.wave) == under) {
-      samples.add(one.fate.later / one.fate.runup, property...);
-    }
+    if (one.wave.climbs() && one.below() == under) samples.add(one.fate.later / one.fate.runup, property...);
   }
   return samples;
 }
 
 void claim_fates(const Claims<Results>& claims, bool quick) {
-  claims.check(
-      "below", "Run-up and run-down complete for all waves below the limit 0.479 cot^(-10/9).", "all do",
-      [](const Results& r) {
-        return all_are(
-            r.told, [](const Told& one) { return below(one.wave); },
-            [](const Told& one) { return one.fate.through(); });
-      },
-      Qualitative{.detector = "no failure until the reflected wave has left",
-                  .reason = "below 0.479 cot^(-10/9) no bore forms"});
-  claims.check(
-      "stated", "The failure message of a stopped run gives time and position, and its last state is finite.", "all do",
-      [](const Results& r) {
-        return all_are(
-            r.told, [](const Told& one) { return !one.fate.through(); },
-            [](const Told& one) { return one.fate.sound; });
-      },
-      Qualitative{.detector = "time and position of the failure are finite, the position is in the water, all nodes "
-                              "and rates before it are finite",
-                  .reason = "a failure must not pass as a result"});
+  claims.check("below", "Run-up and run-down complete for all waves below the limit 0.479 cot^(-10/9).", "all do",
+               all_are(
+                   &Results::told, [](const Told& one) { return one.below(); },
+                   [](const Told& one) { return one.fate.through; }),
+               Qualitative{.detector = "no failure until the reflected wave has left",
+                           .reason = "below 0.479 cot^(-10/9) no bore forms"});
+  claims.check("stated", "The failure message of a stopped run gives time and position, and its last state is finite.",
+               "all do",
+               all_are(
+                   &Results::told, [](const Told& one) { return !one.fate.through; },
+                   [](const Told& one) { return one.fate.sound; }),
+               Qualitative{.detector = "time and position of the failure are finite, the position is in the water, all "
+                                       "nodes and rates before it are finite",
+                           .reason = "a failure must not pass as a result"});
   claims.check(
       "later-below", "The later shoreline elevation below the limit stays below 1.0 times the first run-up.",
       "largest later shoreline elevation over the run-up",
@@ -259,26 +235,24 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const bool quick = values.tier() == Tier::quick;
   claim_fates(claims.at(fmt::format("h = {0:g} and {1:g}", h, h / 2)), quick);
   claims.at(fmt::format("h = {:g}", h))
-      .check(
-          "map-below",
-          "The later shoreline elevation of all waves of the map below the limit stays below the first run-up.",
-          "all do",
-          [](const Results& r) {
-            const auto lower = [](const Mapped& one) { return !below(one.wave) || returns_lower(one.fate); };
-            return std::ranges::all_of(r.map, lower);
-          },
-          Qualitative{.detector = "no failure, no later height above the run-up",
-                      .reason = "below 0.479 cot^(-10/9) no bore forms"});
+      .check("map-below",
+             "The later shoreline elevation of all waves of the map below the limit stays below the first run-up.",
+             "all do",
+             all_are(
+                 &Results::map, [](const Told& one) { return one.below(); },
+                 [](const Told& one) { return one.returns_lower(); }),
+             Qualitative{.detector = "no failure, no later height above the run-up",
+                         .reason = "below 0.479 cot^(-10/9) no bore forms"});
 }
 
 Results compute(const Run& run) {
-  Results r{.told = tell(run)};
+  Results r{.told = tell_all(run)};
   r.map = map_fates(run);
   return r;
 }
 
 /// Fates over slopes and heights in units of the limit.
-void draw_map(evidence::Exhibit& exhibit, const std::vector<Mapped>& map) {
+void draw_map(evidence::Exhibit& exhibit, const std::vector<Told>& map) {
   auto& panel = add_panel(exhibit, "map", "Limit of the model",
                           "Completed run-up and run-down. Synolakis' limits: of run-down, 0.479 cot^(-10/9), and of "
                           "run-up, 0.8183 cot^(-10/9).",
@@ -287,21 +261,21 @@ void draw_map(evidence::Exhibit& exhibit, const std::vector<Mapped>& map) {
   panel.line("breaks in run-down", mapped_slopes, limit, Role::exact);
   panel.line("breaks in run-up", mapped_slopes, each(limit, [](double a) { return 0.8183 / 0.479 * a; }), Role::guide);
   const auto points = [&](const std::string& label, Role role, const auto& is) {
-    auto those = map | std::views::filter([&](const Mapped& one) { return is(one.fate); });
+    auto those = map | std::views::filter(is);
     if (those.empty()) return;
-    panel.points(label, each(those, [](const Mapped& one) { return one.wave.cot_slope; }),
-                 each(those, [](const Mapped& one) { return one.wave.amplitude; }), role);
+    panel.points(label, each(those, [](const Told& one) { return one.wave.cot_slope; }),
+                 each(those, [](const Told& one) { return one.wave.amplitude; }), role);
   };
-  points("runs through", Role::computed, returns_lower);
+  points("runs through", Role::computed, &Told::returns_lower);
   points("completes, tip shoots up", Role::peer,
-         [](const RunDown& fate) { return fate.through() && !returns_lower(fate); });
-  points("stops", Role::data, [](const RunDown& fate) { return !fate.through(); });
+         [](const Told& one) { return one.fate.through && !one.returns_lower(); });
+  points("stops", Role::data, [](const Told& one) { return !one.fate.through; });
 }
 
 void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
   tabulate(exhibit, r.told);
-  exhibit.measure("stopped", static_cast<double>(
-                                 std::ranges::count_if(r.told, [](const Told& one) { return !one.fate.through(); })));
+  exhibit.measure(
+      "stopped", static_cast<double>(std::ranges::count_if(r.told, [](const Told& one) { return !one.fate.through; })));
   exhibit.measure("largest_later_over_runup_above_limit", later_heights<Largest>(r.told, false).value());
   draw_map(exhibit, r.map);
 }

@@ -31,7 +31,6 @@ there than at a wall.
 
 #include <fmt/format.h>
 
-#include "reports/evidence/grid_convergence.hpp"
 #include "reports/evidence/record.hpp"
 #include "reports/evidence/slope_guide.hpp"
 #include "seiche/exact/overturning/slope_runup.hpp"
@@ -71,6 +70,8 @@ struct GaussClimb {
   /// b(x), with the corner at the toe rounded over a quarter of the depth on either side, so that b'' is continuous.
   [[nodiscard]] double bottom(double x) const;
   [[nodiscard]] double bottom_slope(double x) const;
+  /// The run ends then at the latest.
+  [[nodiscard]] double latest() const { return (crest() + 4 * cot_slope + 10) / wave.speed(); }
   [[nodiscard]] double tau() const { return (cot_slope == 0 ? 0.15 : 0.12) * spacing() / wave.speed(); }
   [[nodiscard]] gauss_particles::Flow start() const;
   /// "4 cells to a depth, 12 particles to a side".
@@ -85,13 +86,11 @@ struct GaussClimbRun {
   bool fell = false;   ///< the water fell after that: it was the maximum
   std::vector<double> times, levels;
   GaussFrame at_highest, at_end;
-  double wave_energy = 1;     ///< that the run began with
   double energy_defect = 0;   ///< largest after booking what the penalty took, over the wave's energy
   double penalty_loss = 0;    ///< over the wave's energy
   double beyond = 0;          ///< farthest place of a particle behind bottom and walls, after any step
   double free_particles = 0;  ///< most of them in any step
   double particles = 0;
-  long steps = 0;
 
   /// NaN unless the water fell after its highest.
   [[nodiscard]] double runup() const { return fell ? highest : nan; }
@@ -174,9 +173,8 @@ GaussClimbRun climb(const GaussClimb& climb) {
   gauss_particles::Flow flow = climb.start();
   GaussClimbRun run;
   run.particles = static_cast<double>(flow.model().size() - flow.markers().size());
-  run.wave_energy = climb.wave.kinetic_energy() + climb.wave.potential_energy();
+  const double wave_energy = climb.wave.kinetic_energy() + climb.wave.potential_energy();  // that the run begins with
   const double arrival = (climb.crest() - 3) / climb.wave.speed();
-  const double latest = (climb.crest() + 4 * climb.cot_slope + 10) / climb.wave.speed();
   const double edge = climb.cot_slope == 0 ? climb.toe() - climb.spacing() : climb.toe();
   Largest beyond;
   const auto shore = [&] {
@@ -186,7 +184,7 @@ GaussClimbRun climb(const GaussClimb& climb) {
     }
     return level.value();
   };
-  while (!run.fell && flow.time() < latest) {
+  while (!run.fell && flow.time() < climb.latest()) {
     flow.advance(climb.tau());
     flow.observe();
     beyond.add(farthest_beyond(flow, climb));
@@ -201,11 +199,10 @@ GaussClimbRun climb(const GaussClimb& climb) {
     run.fell = run.highest > climb.wave.amplitude() && run.levels.back() < 0.98 * run.highest;
   }
   run.at_end = GaussFrame(flow, climb.toe() - shown);
-  run.energy_defect = flow.ledger().largest_defect("energy") / run.wave_energy;
-  run.penalty_loss = flow.model().penalty_loss() / run.wave_energy;
+  run.energy_defect = flow.ledger().largest_defect("energy") / wave_energy;
+  run.penalty_loss = flow.model().penalty_loss() / wave_energy;
   run.beyond = beyond.value();
   run.free_particles = flow.most_free_particles();
-  run.steps = flow.steps();
   return run;
 }
 
@@ -231,20 +228,13 @@ constexpr long parts = 4;
 bool has_coarser(const Values& values) {
   return values.integer("cells") % parts == 0 && values.integer("per_cell") % parts == 0;
 }
-GaussClimb coarser(GaussClimb climb, long part) {
-  climb.cells = climb.cells * part / parts;
-  climb.per_cell = climb.per_cell * part / parts;
-  return climb;
-}
-
 struct Results {
   GaussClimb climb;
   GaussClimbRun finest;
-  std::vector<double> spacing, runup;  ///< of all lattices, the finest last
+  RunUpSequence lattices;  ///< the finest last
   double exact = nan;
 
-  [[nodiscard]] evidence::GridConvergence limit() const { return evidence::grid_convergence(spacing, runup, 2); }
-  [[nodiscard]] double last_change() const { return runup.back() / runup[runup.size() - 2] - 1; }
+  [[nodiscard]] double last_change() const { return lattices.height.back() / lattices.height.end()[-2] - 1; }
 };
 
 std::optional<double> tabled(const Values& values, const std::string& name, const std::string& column) {
@@ -273,13 +263,12 @@ std::optional<double> measured(const Values& values) {
 }
 
 void claim_method(const GaussClimb& climb, const Claims<GaussClimbRun>& claims) {
-  const double latest = (climb.crest() + 4 * climb.cot_slope + 10) / climb.wave.speed();
   claims.from("Frank (1994), chapter 6; exact for every space and step")
       .check(
           "energy", "The energy change equals the dissipation of the penalty, to round-off.",
           "largest energy error over the wave energy", &GaussClimbRun::energy_defect,
           Roundoff{
-              .operations = std::ceil(latest / climb.tau()),
+              .operations = std::ceil(climb.latest() / climb.tau()),
               .scale = 1,
               .reason = "one rounding per step of the kinetic and the potential energy, whose sum is the wave energy"});
   claims.from("Frank (1994), chapter 6")
@@ -313,7 +302,7 @@ void claims(const Values& values, const Claims<Results>& all) {
       .check(
           "exact", "Maximum run-up agrees with the Euler equations within the numerical uncertainty.", "run-up [depth]",
           [tabled = exact.has_value()](const Results& r) -> Measurement {
-            Measurement runup{.value = r.runup.back(), .uncertainty = r.limit().uncertainty};
+            Measurement runup{.value = r.lattices.height.back(), .uncertainty = r.lattices.limit().uncertainty};
             if (!tabled) runup.told.expected = r.exact;
             return runup;
           },
@@ -352,15 +341,15 @@ Results compute(const Run& run) {
   Results r{.climb = climb_of(run)};
   if (has_coarser(run)) {
     for (const long part : {2L, 3L}) {
-      const GaussClimb one = coarser(r.climb, part);
-      r.spacing.push_back(one.spacing());
-      r.runup.push_back(climb(one).runup());
+      GaussClimb coarser = r.climb;
+      coarser.cells = coarser.cells * part / parts;
+      coarser.per_cell = coarser.per_cell * part / parts;
+      r.lattices.add(coarser.spacing(), climb(coarser).runup());
       run.progress(part == 2 ? 0.05 : 0.3);
     }
   }
   r.finest = climb(r.climb);
-  r.spacing.push_back(r.climb.spacing());
-  r.runup.push_back(r.finest.runup());
+  r.lattices.add(r.climb.spacing(), r.finest.runup());
   if (is_known(r.climb)) {
     const auto known = tabled_exact(run);
     r.exact = known ? *known : computed_exact(r.climb);
@@ -389,17 +378,18 @@ void draw(const Results& r, evidence::Exhibit& exhibit) {
 }
 
 void draw_convergence(const Results& r, evidence::Exhibit& exhibit) {
-  exhibit.measure("runup_extrapolated", r.limit().extrapolated);
+  exhibit.measure("runup_extrapolated", r.lattices.limit().extrapolated);
   auto& figure = exhibit.figure("convergence", "Convergence of the run-up",
                                 "Cells and particles per cell side are refined together.");
   if (std::isnan(r.exact)) {
-    figure.panel({.x = "h [depth]", .y = "R [depth]"}).points("particles", r.spacing, r.runup, Role::computed);
+    figure.panel({.x = "h [depth]", .y = "R [depth]"})
+        .points("particles", r.lattices.spacing, r.lattices.height, Role::computed);
     return;
   }
-  const std::vector<double> errors = each(r.runup, [&](double runup) { return std::abs(runup - r.exact); });
+  const std::vector<double> errors = each(r.lattices.height, [&](double runup) { return std::abs(runup - r.exact); });
   auto& panel = figure.panel({.x = "h [depth]", .y = "|R - R_exact| [depth]", .log_x = true, .log_y = true});
-  panel.points("particles", r.spacing, errors, Role::computed);
-  slope_guide(panel, 2, r.spacing, errors.back());
+  panel.points("particles", r.lattices.spacing, errors, Role::computed);
+  slope_guide(panel, 2, r.lattices.spacing, errors.back());
 }
 
 void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
@@ -410,16 +400,14 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   if (!std::isnan(r.exact) && r.climb.cot_slope == 0) {
     exhibit.measure("su_mirie", exact::WallRunup::su_mirie(r.climb.wave.amplitude()));
   }
-  const auto add = [&](const std::string& name, std::optional<double> number) {
-    if (number) exhibit.measure(name, *number);
-  };
-  add("runup_measured", measured(values));
+  if (const auto found = measured(values)) exhibit.measure("runup_measured", *found);
   if (r.climb.cot_slope != 0) {
-    add("runup_mesh_in_thesis", tabled(values, "frank_1994_runup", "R_calc"));
+    const auto mesh = tabled(values, "frank_1994_runup", "R_calc");
+    if (mesh) exhibit.measure("runup_mesh_in_thesis", *mesh);
     exhibit.measure("runup_law", runup_law(r.climb.cot_slope, r.climb.wave.amplitude()));
   }
   draw(r, exhibit);
-  if (r.spacing.size() > 2) draw_convergence(r, exhibit);
+  if (r.lattices.spacing.size() > 2) draw_convergence(r, exhibit);
   r.finest.at_highest.add_to(exhibit, "depth");
   r.finest.at_end.add_to(exhibit, "depth");
 }

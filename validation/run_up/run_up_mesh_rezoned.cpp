@@ -22,7 +22,6 @@ while the sheet falls.
 */
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include <fmt/format.h>
 
@@ -32,8 +31,7 @@ while the sheet falls.
 #include "validation/case/literature.hpp"
 #include "validation/case/reference_table.hpp"
 #include "validation/instruments/each.hpp"
-#include "validation/run_up/mesh_slope_climb.hpp"
-#include "validation/run_up/mesh_wall_climb.hpp"
+#include "validation/run_up/mesh_climb.hpp"
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 
 namespace seiche::validation::cases::run_up_mesh_rezoned {
@@ -70,7 +68,7 @@ constexpr std::array<Climb, 6> climbs{{{0, 0.5}, {0, 0.6}, {1, 0.41}, {1, 0.5}, 
 struct Reached {
   double spacing = 0;
   double runup = 0;  ///< NaN unless the water fell after it
-  std::optional<double> tangle;
+  bool tangled = false;
   Worst unbooked;            ///< change of the energy less what rezoning took, over the wave's energy
   double taken = 0;          ///< by rezoning, over the wave's energy
   double rezoned = 0;        ///< times
@@ -81,23 +79,9 @@ struct Climbed {
   Climb climb;
   std::vector<Reached> on = {};  ///< the meshes, from coarse to fine
 
-  template <class Of>
-  [[nodiscard]] std::vector<double> each(const Of& of) const {
-    return validation::each(on, of);
-  }
-  [[nodiscard]] std::vector<double> spacings() const { return each(&Reached::spacing); }
-  /// Of the finest mesh's value, from the change from mesh to mesh.
-  template <class Of>
-  [[nodiscard]] Measurement finest(const Of& of, double order) const {
-    const std::vector<double> values = each(of);
-    return {.value = values.back(), .uncertainty = evidence::grid_convergence(spacings(), values, order).uncertainty};
-  }
+  [[nodiscard]] std::vector<double> spacings() const { return each(on, &Reached::spacing); }
 };
 using Results = std::vector<Climbed>;
-
-const Climbed& find(const Results& all, const std::string& id) {
-  return *std::ranges::find_if(all, [&](const Climbed& one) { return one.climb.id() == id; });
-}
 
 double exact_runup(const Values& values, const Climb& climb) {
   const auto found = climb.wall() ? entry_where(values.table("wall_runup_exact"), {{"a", climb.amplitude}}, "R")
@@ -110,29 +94,29 @@ std::string resolution(long rows) {
   return fmt::format("h1 = {:g}, {} rows", 2 / static_cast<double>(rows), rows);
 }
 
-void claim_whole(const Climb& climb, const Claims<Results>& claims) {
+void claim_whole(const Climb& climb, const Claims<Climbed>& claims) {
   claims.check(
       "whole-" + climb.id(),
       fmt::format("The mesh remains untangled {1} ({0}).", climb.title(),
                   climb.wall() ? "until the wave has left the wall" : "until the water has fallen"),
       "meshes that tangle",
-      [id = climb.id()](const Results& all) {
-        Count tangled;
-        for (const Reached& one : find(all, id).on) {
-          tangled.add(one.spacing, [&](double) { return one.tangle.has_value() || std::isnan(one.runup); });
-        }
-        return tangled.value();
+      [](const Climbed& all) {
+        return std::ranges::count_if(all.on, [](const Reached& one) { return one.tangled || std::isnan(one.runup); });
       },
       Bound{.limit = 0, .reason = "zero: the Euler equations have a solution to the end"});
 }
 
-void claim_runup(const Climb& climb, double exact, long rows, const Claims<Results>& claims) {
+void claim_runup(const Climb& climb, double exact, long rows, const Claims<Climbed>& claims) {
   claims.only_if(climb.cot_slope < 2 || rows >= fine, "fewer than 16 rows are inconclusive on a 1:2 slope")
       .check(
           "exact-" + climb.id(),
           fmt::format("The run-up agrees with the Euler equations within the mesh uncertainty ({}).", climb.title()),
           "run-up [depth]",
-          [climb](const Results& all) { return find(all, climb.id()).finest(&Reached::runup, climb.order()); },
+          [](const Climbed& all) -> Measurement {
+            const std::vector<double> runup = each(all.on, &Reached::runup);
+            return {.value = runup.back(),
+                    .uncertainty = evidence::grid_convergence(all.spacings(), runup, all.climb.order()).uncertainty};
+          },
           Uncertainty{.expected = exact,
                       .data = 1e-6,
                       .useful = 0.1 * exact,
@@ -144,10 +128,9 @@ void claim_runup(const Climb& climb, double exact, long rows, const Claims<Resul
           fmt::format("The run-up converges to the Euler equations at order {1:g} ({0}).", climb.title(),
                       climb.order()),
           "order in the cell size",
-          [climb, exact](const Results& all) {
-            const Climbed& one = find(all, climb.id());
-            return evidence::observed_order(one.spacings(),
-                                            one.each([&](const Reached& on) { return std::abs(on.runup - exact); }));
+          [exact](const Climbed& all) {
+            const auto error = [exact](const Reached& one) { return std::abs(one.runup - exact); };
+            return evidence::observed_order(all.spacings(), each(all.on, error));
           },
           Order{
               .theory = climb.order(),
@@ -157,7 +140,7 @@ void claim_runup(const Climb& climb, double exact, long rows, const Claims<Resul
                   "next term is smaller by a factor h1 only: 2 h1 for the coarsest of these meshes, half an order"});
 }
 
-void claim_energy(const Climb& climb, double tau, const Claims<Results>& claims) {
+void claim_energy(const Climb& climb, double tau, const Claims<Climbed>& claims) {
   const exact::SolitaryWave wave(climb.amplitude);
   claims.from("Frank (1994), section 1.2")
       .where("t = {:.2f}")
@@ -166,7 +149,7 @@ void claim_energy(const Climb& climb, double tau, const Claims<Results>& claims)
           fmt::format("The energy change equals the recorded loss by rezoning within (omega tau)^2/4 ({}).",
                       climb.title()),
           "largest unrecorded energy change over the wave energy",
-          [id = climb.id()](const Results& all) { return find(all, id).on.back().unbooked; },
+          [](const Climbed& all) { return all.on.back().unbooked; },
           Bound{.limit = std::pow(wave.speed() * wave.decay_rate() * tau, 2) / 4,
                 .reason = "Verlet's energy of a mode oscillates by (omega tau)^2/4; omega is the rate of rise of the "
                           "wave at a point, celerity times tail decay rate"});
@@ -174,58 +157,31 @@ void claim_energy(const Climb& climb, double tau, const Claims<Results>& claims)
 
 void claims(const Values& values, const Claims<Results>& all) {
   const long rows = values.integer("rows");
-  const Claims<Results> claims = all.at(resolution(rows));
-  for (const Climb& climb : climbs) {
-    claim_whole(climb, claims);
-    claim_runup(climb, exact_runup(values, climb), rows, claims);
-    claim_energy(climb, 0.2 / static_cast<double>(rows), claims);
+  for (const std::size_t k : indices(climbs.size())) {
+    const Claims<Climbed> claims = all.at(resolution(rows)).entry(k);
+    claim_whole(climbs[k], claims);
+    claim_runup(climbs[k], exact_runup(values, climbs[k]), rows, claims);
+    claim_energy(climbs[k], 0.2 / static_cast<double>(rows), claims);
   }
 }
 
-/// What a run shows on its way.
-class Watch {
- public:
-  explicit Watch(Reached& reached) : reached_(reached) {}
-
-  void operator()(const Flow& flow) {
-    if (flow.steps() == 1) first_ = flow.energy() + flow.rezoning().lost;
-    reached_.unbooked.add((flow.energy() + flow.rezoning().lost) / first_ - 1, flow.time());
-    reached_.taken = flow.rezoning().lost / first_;
-    reached_.rezoned = static_cast<double>(flow.rezoning().done);
-    const double before = highest_.value();
-    highest_.add(flow.surface_y().back());
-    if (flow.steps() > 1 && !(flow.surface_y().back() > before)) return;
-    reached_.x.assign(flow.x().begin(), flow.x().end());
-    reached_.y.assign(flow.y().begin(), flow.y().end());
-  }
-
- private:
-  Reached& reached_;
-  Largest highest_;
-  double first_ = 0;
-};
-
 Reached reach(const Climb& climb, const exact::SolitaryWave& wave, long rows, double drift) {
-  const MeshWallClimb mesh = MeshWallClimb::with_rows(wave, rows);
+  MeshClimb mesh = MeshClimb::with_rows(wave, rows);
+  mesh.rezone = drift;
+  if (!climb.wall()) mesh.tan_slope = 1 / climb.cot_slope;
   Reached reached{.spacing = mesh.spacing};
-  Watch watch(reached);
-  if (climb.wall()) {
-    MeshWallClimb wall = mesh;
-    wall.rezone = drift;
-    const MeshWallRun run = climb_wall(wall, [&](const Flow& flow) { watch(flow); });
-    reached.runup = run.runup();
-    if (run.tangle) reached.tangle = run.tangle->time;
-    return reached;
-  }
-  const MeshSlopeRun run = climb_slope({.wave = wave,
-                                        .tan_slope = 1 / climb.cot_slope,
-                                        .spacing = mesh.spacing,
-                                        .rows = rows,
-                                        .tau = mesh.tau,
-                                        .rezone = drift},
-                                       [&](const Flow& flow) { watch(flow); });
-  reached.runup = run.runup;
-  if (run.tangle) reached.tangle = run.tangle->time;
+  double first = 0;
+  MeshRun run = climb_on_mesh(mesh, [&](const Flow& flow) {
+    const double taken = flow.rezoning().lost;
+    if (flow.steps() == 1) first = flow.energy() + taken;
+    reached.unbooked.add((flow.energy() + taken) / first - 1, flow.time());
+    reached.taken = taken / first;
+    reached.rezoned = static_cast<double>(flow.rezoning().done);
+  });
+  reached.runup = run.runup();
+  reached.tangled = run.tangle.has_value();
+  reached.x = std::move(run.x);
+  reached.y = std::move(run.y);
   return reached;
 }
 
@@ -263,8 +219,8 @@ void tabulate(const Results& all, const Values& values, evidence::Exhibit& exhib
 void draw_meshes(const Results& all, const Values& values, evidence::Exhibit& exhibit) {
   const auto rows = values.count("rows");
   auto& figure = exhibit.figure("meshes", "The mesh at the maximum run-up", resolution(values.integer("rows")) + ".");
-  for (const std::string& id : {std::string("wall-60"), std::string("cot-2-50")}) {
-    const Climbed& one = find(all, id);
+  for (const std::size_t highest : {1, 5}) {  // at the wall, on the milder slope
+    const Climbed& one = all.at(highest);
     const Reached& finest = one.on.back();
     if (finest.x.empty()) continue;
     const double shore = *std::ranges::max_element(finest.x);
@@ -282,7 +238,7 @@ void show(const Results& all, const Values& values, evidence::Exhibit& exhibit) 
   for (const Climbed& one : all) {
     const double exact = exact_runup(values, one.climb);
     panel.points(one.climb.title(), one.spacings(),
-                 one.each([&](const Reached& on) { return std::abs(on.runup / exact - 1); }),
+                 each(one.on, [&](const Reached& on) { return std::abs(on.runup / exact - 1); }),
                  one.climb.wall() ? Role::computed : Role::peer);
   }
   slope_guide(panel, 2, all.front().spacings(),

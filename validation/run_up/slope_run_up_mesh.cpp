@@ -39,8 +39,7 @@ errors: 3 % for the highest wave on the 1:2 slope with columns an eighth wide, a
 #include "validation/case/reference_case.hpp"
 #include "validation/case/reference_table.hpp"
 #include "validation/instruments/each.hpp"
-#include "validation/run_up/mesh_slope_climb.hpp"
-#include "validation/run_up/mesh_wall_climb.hpp"
+#include "validation/run_up/mesh_climb.hpp"
 #include "validation/run_up/solitary_climb.hpp"
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 
@@ -60,126 +59,128 @@ struct MeshSize {
 constexpr std::array<MeshSize, 4> meshes{{{1, 2, 0.05}, {0.5, 4, 0.05}, {0.25, 8, 0.025}, {0.125, 16, 0.0125}}};
 
 constexpr std::size_t compared = 3;  // meshes of all tiers
+constexpr double useful = 0.15;      // uncertainty over the run-up that still says something
 
-/// A row of the comparison, with what is known of it.
-struct Row {
-  double cot_slope = 0;
-  double amplitude = 0;
-  double thesis = nan;
-  double exact = nan;
+/// A wave of the comparison, what is known of it, and what the meshes make of it.
+struct Climbed {
+  double cot_slope = 0, amplitude = 0;
+  double exact = nan, thesis = nan;
+  std::vector<double> runup = {};          ///< on the meshes
+  std::optional<double> tangle_time = {};  ///< first tangle on the finest mesh with one before the largest run-up
+  std::vector<double> sliding = {};        ///< run-up with a toe that slides, on the meshes
+  Count sliding_tangles = {};              ///< of them those with a tangle before it
+  Worst sliding_energy = {};               ///< largest change over the wave's energy
 
-  ///< of Hall and Watts
+  /// Of Hall and Watts.
   [[nodiscard]] double formula() const { return exact::HallWatts(1, 1 / cot_slope).runup(amplitude); }
-};
-
-struct Climbed : Row {
-  std::vector<double> runup;          ///< on the meshes
-  std::optional<double> tangle_time;  ///< first tangle on the finest mesh with one before the largest run-up
-  std::vector<double> sliding;        ///< run-up with a toe that slides, on the meshes
-  Count sliding_tangles;              ///< of them those with a tangle before it
-  Worst sliding_energy;               ///< largest change over the wave's energy
-
   /// To zero spacing, first order; from the two finest meshes but `coarser`.
   [[nodiscard]] double extrapolated(std::size_t coarser = 0) const {
     const std::size_t n = runup.size() - coarser;
     return 2 * runup[n - 1] - runup[n - 2];
   }
+  /// Change of a sequence by the halving before the last `earlier` ones.
+  static double halving(const std::vector<double>& of, std::size_t earlier = 0) {
+    return of[of.size() - 1 - earlier] - of[of.size() - 2 - earlier];
+  }
   /// What the sliding toe changes on the finest mesh, over what the last halving of the cells changes with either toe.
   [[nodiscard]] double toe_matters() const {
-    const std::size_t n = runup.size();
-    const double left = std::abs(runup[n - 1] - runup[n - 2]) + std::abs(sliding[n - 1] - sliding[n - 2]);
-    return (sliding[n - 1] - runup[n - 1]) / left;
+    return (sliding.back() - runup.back()) / (std::abs(halving(runup)) + std::abs(halving(sliding)));
   }
-  /// Of the finest mesh's run-up; infinite where the meshes do not tell.
-  [[nodiscard]] double mesh_uncertainty() const {
-    return evidence::grid_convergence(each(std::span(meshes).first(runup.size()), &MeshSize::spacing), runup, 1)
-        .uncertainty;
+  /// Over the uncertainty of the finest mesh's run-up, which is infinite where the meshes do not tell.
+  [[nodiscard]] double off_exact() const {
+    const double uncertainty =
+        evidence::grid_convergence(each(std::span(meshes).first(runup.size()), &MeshSize::spacing), runup, 1)
+            .uncertainty;
+    return (runup.back() - exact) / std::min(uncertainty, useful * exact);
   }
   /// Of the difference from the exact run-up, from the last halving.
   [[nodiscard]] double order_of_error() const {
     return std::log2(std::abs(runup[runup.size() - 2] - exact) / std::abs(runup.back() - exact));
   }
   /// From the last two halvings.
-  [[nodiscard]] double order() const {
-    const std::size_t n = runup.size();
-    return std::log2((runup[n - 2] - runup[n - 3]) / (runup[n - 1] - runup[n - 2]));
-  }
+  [[nodiscard]] double order() const { return std::log2(halving(runup, 1) / halving(runup)); }
+  [[nodiscard]] double energy_around_toe() const { return sliding_energy.value(); }
 };
+using All = std::vector<Climbed>;
 
 /// Before the largest run-up.
-bool tangles(const MeshSlopeRun& run) {
-  return run.tangle && run.tangle->time < run.time;
+bool tangles(const MeshRun& run) {
+  return run.tangle && run.tangle->time < run.time_of_highest;
 }
 
-MeshSlopeClimb with_sliding_toe(MeshSlopeClimb climb) {
+MeshClimb with_sliding_toe(MeshClimb climb) {
   climb.rounding = 1;
-  climb.hourglass = 0.1;
-  climb.scheme.stepping = mechanics::Stepping::conservative;
+  climb.settings.hourglass = 0.1;
+  climb.stepping = mechanics::Stepping::conservative;
   return climb;
 }
 
 /// Of the tables that the case declares.
-std::vector<Row> rows_of(const Values& values) {
+All known_waves(const Values& values) {
   const io::Table thesis = values.table("frank_1994_runup");
   const io::Table exact = values.table("slope_runup_exact");
-  std::vector<Row> rows;
+  All waves;
   for (std::size_t k = 0; k < exact.rows(); ++k) {
-    Row& row = rows.emplace_back(Row{
-        .cot_slope = exact.column("cot_slope")[k], .amplitude = exact.column("A")[k], .exact = exact.column("R")[k]});
-    row.thesis =
-        entry_where(thesis, {{"cot_slope", row.cot_slope}, {"A", row.amplitude}}, "R_calc").value_or(row.thesis);
+    const double cot_slope = exact.column("cot_slope")[k];
+    const double amplitude = exact.column("A")[k];
+    const auto printed = entry_where(thesis, {{"cot_slope", cot_slope}, {"A", amplitude}}, "R_calc");
+    waves.push_back({cot_slope, amplitude, exact.column("R")[k], printed.value_or(nan)});
   }
-  return rows;
+  return waves;
 }
 
 /// Climbs the slope on as many of the meshes, with a toe that stays and with one that slides.
-Climbed climb_row(const Row& row, std::size_t levels) {
-  const exact::SolitaryWave wave(row.amplitude);
-  Climbed climbed{row, {}, {}, {}, {}, {}};
-  for (std::size_t level = 0; level < levels; ++level) {
-    const MeshSize& mesh = meshes[level];
-    const MeshSlopeClimb climb{
-        .wave = wave, .tan_slope = 1 / row.cot_slope, .spacing = mesh.spacing, .rows = mesh.rows, .tau = mesh.tau};
-    const MeshSlopeRun result = climb_slope(climb);
-    climbed.runup.push_back(result.runup);
-    if (tangles(result)) climbed.tangle_time = result.tangle->time;
-    const MeshSlopeRun sliding = climb_slope(with_sliding_toe(climb));
-    climbed.sliding.push_back(sliding.runup);
-    climbed.sliding_tangles.add(sliding.runup, [&](double) { return tangles(sliding); });
-    climbed.sliding_energy.add(sliding.energy_defect.value());
+void climb(Climbed& wave, std::size_t levels) {
+  const exact::SolitaryWave incident(wave.amplitude);
+  for (const MeshSize& mesh : std::span(meshes).first(levels)) {
+    const MeshClimb climb{
+        .wave = incident, .tan_slope = 1 / wave.cot_slope, .spacing = mesh.spacing, .rows = mesh.rows, .tau = mesh.tau};
+    const MeshRun result = climb_on_mesh(climb);
+    wave.runup.push_back(result.runup());
+    if (tangles(result)) wave.tangle_time = result.tangle->time;
+    const MeshRun sliding = climb_on_mesh(with_sliding_toe(climb));
+    wave.sliding.push_back(sliding.runup());
+    wave.sliding_tangles.add(sliding.runup(), [&](double) { return tangles(sliding); });
+    wave.sliding_energy.add(sliding.energy_defect.value());
   }
-  return climbed;
 }
 
 const std::string source = "Frank (1994), section 2.2 and table of chapter 3";
 
 constexpr double latest_runup = 17;  // [sqrt(depth/g)], 12 depths to the toe at least as fast as a long wave, then up
 constexpr double sweeps = 6;         // of a conservative step
-constexpr double useful = 0.15;      // uncertainty over the run-up that still says something
 constexpr double farthest = 27;      // place of a node [depth]
 
-/// The wave of the parameters.
-struct Climb {
-  MeshSlopeClimb climb;
-  MeshSlopeRun run;
-  std::vector<double> time, level, x, y;  ///< contact point in time; the mesh when it is highest
-};
-
 struct Results {
-  Climb one;
-  std::vector<Climbed> all = {};
+  MeshClimb climb;  ///< of the wave of the parameters
+  MeshRun run;
+  All all;
 };
 
 std::size_t levels(const Values& values) {
   return values.tier() == Tier::quick ? compared : meshes.size();
 }
 
-void claim_thesis(const Claims<std::vector<Climbed>>& claims) {
+/// The order that is farthest from 1 of all waves.
+auto order_off_first(double (Climbed::*order)() const) {
+  return [order](const All& all) -> Measurement {
+    Worst off;
+    for (const std::size_t k : indices(all.size())) off.add((all[k].*order)() - 1, static_cast<double>(k));
+    const Climbed& worst = all.at(static_cast<std::size_t>(off.where()));
+    return {.value = (worst.*order)(), .where = fmt::format("A = {:g}, cot = {:g}", worst.amplitude, worst.cot_slope)};
+  };
+}
+
+auto worst_of(double (Climbed::*number)() const) {
+  return [number](const All& all) { return over<Worst>(all, number, &Climbed::amplitude); };
+}
+
+void claim_fixed_toe(const Claims<All>& claims, double coarser, double finest) {
   claims.at("h1 = 0.25, 8 rows")
       .check(
           "thesis", "Maximum run-up agrees with the two-dimensional model of Frank (1994) within the mesh uncertainty.",
           "largest |R/R_thesis - 1|",
-          [](const std::vector<Climbed>& all) -> Measurement {
+          [](const All& all) -> Measurement {
             Worst off;
             Largest halving;
             for (const Climbed& one : all) {
@@ -193,59 +194,31 @@ void claim_thesis(const Claims<std::vector<Climbed>>& claims) {
           Bound{.limit = Amount::told_by_run(useful),
                 .reason = "the thesis does not state its mesh: the largest change by the last halving of the cells; "
                           "the two decimals of the thesis are 2 % of the lowest value"});
-}
-
-/// The order that is farthest from 1 of all waves.
-Measurement order_off_first(const std::vector<Climbed>& all, double (Climbed::*order)() const) {
-  Worst off;
-  for (std::size_t k = 0; k < all.size(); ++k) off.add((all[k].*order)() - 1, static_cast<double>(k));
-  const Climbed& worst = all.at(static_cast<std::size_t>(off.where()));
-  return {.value = (worst.*order)(), .where = fmt::format("A = {:g}, cot = {:g}", worst.amplitude, worst.cot_slope)};
-}
-
-void claim_convergence(const Claims<std::vector<Climbed>>& claims) {
   claims.at("three finest meshes")
       .from("contact points climb along the surface, where nodes are first-order accurate")
-      .check(
-          "order", "The run-up on slopes converges at first order.",
-          "order from the last two halvings, farthest from 1 of all waves",
-          [](const std::vector<Climbed>& all) { return order_off_first(all, &Climbed::order); },
-          Bound{.limit = 0.5,
-                .reason = "half an order: three meshes, the coarsest with four rows or less",
-                .expected = 1});
-}
-
-void claim_exact(const Claims<std::vector<Climbed>>& claims, std::size_t levels) {
-  const auto finest = claims.at(fmt::format("h1 = {:g}", meshes[levels - 1].spacing)).where("A = {:g}");
-  finest.check(
-      "exact", "The run-up agrees with the Euler equations within the finest mesh's uncertainty.",
-      "largest difference over the mesh uncertainty",
-      [](const std::vector<Climbed>& all) {
-        return over<Worst>(
-            all,
-            [](const Climbed& one) {
-              return (one.runup.back() - one.exact) / std::min(one.mesh_uncertainty(), useful * one.exact);
-            },
-            &Climbed::amplitude);
-      },
-      Bound{.limit = 1,
-            .reason = "the 95 % half-width from the change between meshes, at most 15 % of the run-up; exact values to "
-                      "seven digits"});
-  finest.check(
+      .check("order", "The run-up on slopes converges at first order.",
+             "order from the last two halvings, farthest from 1 of all waves", order_off_first(&Climbed::order),
+             Bound{.limit = 0.5,
+                   .reason = "half an order: three meshes, the coarsest with four rows or less",
+                   .expected = 1});
+  const auto on_finest = claims.at(fmt::format("h1 = {:g}", finest)).where("A = {:g}");
+  on_finest.check("exact", "The run-up agrees with the Euler equations within the finest mesh's uncertainty.",
+                  "largest difference over the mesh uncertainty", worst_of(&Climbed::off_exact),
+                  Bound{.limit = 1,
+                        .reason = "the 95 % half-width from the change between meshes, at most 15 % of the run-up; "
+                                  "exact values to seven digits"});
+  on_finest.check(
       "exact-order", "The run-up converges to the Euler equations at first order.",
       "order of the difference from the last halving, farthest from 1 of all waves",
-      [](const std::vector<Climbed>& all) { return order_off_first(all, &Climbed::order_of_error); },
+      order_off_first(&Climbed::order_of_error),
       Bound{.limit = 0.5, .reason = "half an order, as for the order from the meshes alone", .expected = 1});
-}
-
-void claim_measurements(const Claims<std::vector<Climbed>>& claims, std::size_t levels) {
-  claims.at(fmt::format("to zero from h1 = {:g} and {:g}", meshes[levels - 2].spacing, meshes[levels - 1].spacing))
+  claims.at(fmt::format("to zero from h1 = {:g} and {:g}", coarser, finest))
       .from("Hall and Watts (1953)")
       .check(
           "measurements",
           "The run-up extrapolated to fine meshes agrees with the formula of Hall and Watts (1953) within its scatter.",
           "rms of R/R_formula - 1",
-          [](const std::vector<Climbed>& all) -> Measurement {
+          [](const All& all) -> Measurement {
             const auto deviation =
                 over<Mean>(all, [](const Climbed& one) { return one.extrapolated() / one.formula() - 1; });
             // By the last halving: three times what the next order leaves; no rms changes by more.
@@ -259,86 +232,63 @@ void claim_measurements(const Claims<std::vector<Climbed>>& claims, std::size_t 
                                 "the change by the last halving of the cells"});
 }
 
-void claim_sliding_toe(const Claims<std::vector<Climbed>>& claims, std::size_t levels) {
-  const double finest = meshes[levels - 1].tau;
-  claims.at("all meshes")
-      .check(
-          "tangles", "The number of tangled meshes before the maximum run-up, with a sliding toe, is zero.",
-          "tangled meshes, all waves",
-          [](const std::vector<Climbed>& all) {
-            return over<Mean>(all, [](const Climbed& one) { return one.sliding_tangles.value(); }).sum();
-          },
-          Bound{.limit = 0, .reason = "none"});
-  claims.at("all meshes")
+void claim_sliding_toe(const Claims<All>& claims, const MeshSize& finest) {
+  const auto on_all = claims.at("all meshes").where("A = {:g}");
+  on_all.check(
+      "tangles", "The number of tangled meshes before the maximum run-up, with a sliding toe, is zero.",
+      "tangled meshes, all waves",
+      [](const All& all) {
+        return over<Mean>(all, [](const Climbed& one) { return one.sliding_tangles.value(); }).sum();
+      },
+      Bound{.limit = 0, .reason = "none"});
+  on_all.from("discrete gradient, with chords as tangents: exact on any curve")
+      .check("energy",
+             "The energy is conserved to round-off until the maximum run-up while nodes slide around the toe.",
+             "largest change over the wave energy", worst_of(&Climbed::energy_around_toe),
+             Roundoff{
+                 .operations = latest_runup / finest.tau * sweeps,
+                 .scale = farthest,
+                 .reason =
+                     "one rounded position, at most 27 h from the origin, per sweep, six sweeps per step, up to t = 17 "
+                     "on the finest mesh; pressures of the wave height do the work of the wave energy over one depth"});
+  claims.at(fmt::format("h1 = {:g}", finest.spacing))
       .where("A = {:g}")
-      .from("discrete gradient, with chords as tangents: exact on any curve")
-      .check(
-          "energy", "The energy is conserved to round-off until the maximum run-up while nodes slide around the toe.",
-          "largest change over the wave energy",
-          [](const std::vector<Climbed>& all) {
-            return over<Worst>(
-                all, [](const Climbed& one) { return one.sliding_energy.value(); }, &Climbed::amplitude);
-          },
-          Roundoff{
-              .operations = latest_runup / finest * sweeps,
-              .scale = farthest,
-              .reason =
-                  "one rounded position, at most 27 h from the origin, per sweep, six sweeps per step, up to t = 17 on "
-                  "the finest mesh; pressures of the wave height do the work of the wave energy over one depth"});
-  claims.at(fmt::format("h1 = {:g}", meshes[levels - 1].spacing))
-      .where("A = {:g}")
-      .check(
-          "toe", "The difference of run-up between fixed and sliding toe is at most 1.0 times the mesh errors of both.",
-          "largest difference of run-up over the change by the last halving of the cells with both toes",
-          [](const std::vector<Climbed>& all) { return over<Worst>(all, &Climbed::toe_matters, &Climbed::amplitude); },
-          Bound{.limit = 1,
-                .reason = "first order: the change by the last halving equals the remaining error of each"});
+      .check("toe",
+             "The difference of run-up between fixed and sliding toe is at most 1.0 times the mesh errors of both.",
+             "largest difference of run-up over the change by the last halving of the cells with both toes",
+             worst_of(&Climbed::toe_matters),
+             Bound{.limit = 1,
+                   .reason = "first order: the change by the last halving equals the remaining error of each"});
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
   const auto all = claims.of(&Results::all);
-  claim_thesis(all);
-  claim_convergence(all);
-  claim_exact(all, levels(values));
-  claim_measurements(all, levels(values));
-  claim_sliding_toe(all, levels(values));
+  const std::size_t finest = levels(values) - 1;
+  claim_fixed_toe(all, meshes[finest - 1].spacing, meshes[finest].spacing);
+  claim_sliding_toe(all, meshes[finest]);
 }
 
-Climb climb_one(const Values& values) {
-  const MeshSlopeClimb climb{.wave = exact::SolitaryWave(values.real("amplitude")),
-                             .tan_slope = values.real("tan_slope"),
-                             .spacing = values.real("h1"),
-                             .rows = values.integer("rows"),
-                             .tau = values.real("tau"),
-                             .scheme = {.stepping = mechanics::stepping_named(values.text("scheme"))},
-                             .hourglass = values.real("hourglass"),
-                             .rounding = values.real("rounding"),
-                             .beyond_tangling = values.toggle("beyond_tangling")};
-  std::vector<double> time, level, x, y;
-  Largest highest;
-  MeshSlopeRun run = climb_slope(climb, [&](const lagrangian_mesh_2d::Flow& flow) {
-    time.push_back(flow.time());
-    level.push_back(flow.surface_y().back());
-    highest.add(level.back());
-    if (highest.value() > level.back()) return;
-    x.assign(flow.x().begin(), flow.x().end());
-    y.assign(flow.y().begin(), flow.y().end());
-  });
-  return {climb, std::move(run), std::move(time), std::move(level), std::move(x), std::move(y)};
+MeshClimb climb_of(const Values& values) {
+  MeshClimb climb = mesh_climb_from(values, exact::SolitaryWave(values.real("amplitude")));
+  climb.tan_slope = values.real("tan_slope");
+  climb.rounding = values.real("rounding");
+  climb.beyond_tangling = values.toggle("beyond_tangling");
+  return climb;
 }
 
 Results compute(const Run& run) {
-  Results r{.one = climb_one(run)};
+  const MeshClimb shown = climb_of(run);
+  Results r{.climb = shown, .run = climb_on_mesh(shown), .all = known_waves(run)};
   run.progress(0.1);
-  const std::vector<Row> rows = rows_of(run);
-  for (const Row& row : rows) {
-    r.all.push_back(climb_row(row, levels(run)));
-    run.progress(0.1 + 0.9 * static_cast<double>(r.all.size()) / static_cast<double>(rows.size()));
+  double done = 0;
+  for (Climbed& wave : r.all) {
+    climb(wave, levels(run));
+    run.progress(0.1 + 0.9 * ++done / static_cast<double>(r.all.size()));
   }
   return r;
 }
 
-void tabulate(const std::vector<Climbed>& all, evidence::Exhibit& exhibit) {
+void tabulate(const All& all, evidence::Exhibit& exhibit) {
   evidence::Table& table = add_table(
       exhibit, "runup", "Run-up on slopes",
       "Meshes of columns 1, 1/2, 1/4 wide, then extrapolated from the two finest; finest mesh with a sliding toe; "
@@ -355,7 +305,7 @@ void tabulate(const std::vector<Climbed>& all, evidence::Exhibit& exhibit) {
   }
 }
 
-void draw(const std::vector<Climbed>& all, evidence::Exhibit& exhibit) {
+void draw(const All& all, evidence::Exhibit& exhibit) {
   auto& figure = exhibit.figure("runup", "Run-up of solitary waves on slopes",
                                 "Frank's two-dimensional model on meshes of columns 1, 1/2, 1/4 wide and extrapolated, "
                                 "his own values, and the formula of Hall and Watts with its scatter of 5 %.",
@@ -377,28 +327,28 @@ void draw(const std::vector<Climbed>& all, evidence::Exhibit& exhibit) {
   }
 }
 
-void show_one(const Climb& one, evidence::Exhibit& exhibit) {
-  exhibit.measure("runup", one.run.runup);
-  exhibit.measure("time_of_maximum", one.run.time);
-  exhibit.measure("energy_defect", one.run.energy_defect.value());
-  if (one.run.tangle) {
-    exhibit.measure("tangle_time", one.run.tangle->time);
-    exhibit.measure("tangle_place", one.run.tangle->place);
+void show_one(const MeshClimb& climb, const MeshRun& run, evidence::Exhibit& exhibit) {
+  exhibit.measure("runup", run.runup());
+  exhibit.measure("time_of_maximum", run.time_of_highest);
+  exhibit.measure("energy_defect", run.energy_defect.value());
+  if (run.tangle) {
+    exhibit.measure("tangle_time", run.tangle->time);
+    exhibit.measure("tangle_place", run.tangle->place);
   }
   const std::string title =
-      fmt::format("A = {:g}, slope {:g}, {}.", one.climb.wave.amplitude(), one.climb.tan_slope, one.climb.resolution());
+      fmt::format("A = {:g}, slope {:g}, {}.", climb.wave.amplitude(), climb.tan_slope, climb.resolution());
   add_panel(exhibit, "shoreline", "Elevation of the contact point", title,
             {.x = "t [sqrt(depth/g)]", .y = "elevation [depth]"})
-      .line("contact point", one.time, one.level);
-  const double highest = std::isnan(one.run.runup) ? largest(one.level) : one.run.runup;
-  const MeshWindow window{one.climb.toe - 4, one.climb.toe + (1 + 1.1 * highest) / one.climb.tan_slope};
+      .line("contact point", run.times, run.levels);
+  const double highest = run.fell ? run.runup() : largest(run.levels);
+  const MeshWindow window{climb.toe - 4, climb.toe + (1 + 1.1 * highest) / climb.tan_slope};
   draw_mesh(
       add_panel(exhibit, "mesh", "The mesh at the maximum run-up", title, mesh_axes("", window), {"frank-slopes-2d"}),
-      "mesh", one.run.flow.model().mesh(), one.x, one.y, window);
+      "mesh", run.flow.model().mesh(), run.x, run.y, window);
 }
 
 void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
-  show_one(r.one, exhibit);
+  show_one(r.climb, r.run, exhibit);
   exhibit.measure("waves_that_tangle_with_a_toe_that_stays",
                   static_cast<double>(
                       std::ranges::count_if(r.all, [](const Climbed& one) { return one.tangle_time.has_value(); })));

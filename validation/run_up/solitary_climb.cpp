@@ -7,7 +7,6 @@
 
 #include <fmt/format.h>
 
-#include "seiche/exact/model_waves.hpp"
 #include "validation/instruments/peak.hpp"
 
 namespace seiche::validation {
@@ -60,18 +59,21 @@ std::string SolitaryClimb::resolution() const {
   return fmt::format("h = {:g}, tau = {:g} h", spacing, tau_over_spacing);
 }
 
-RunUp run_up(const SolitaryClimb& climb, const ClimbWatch& watch) {
+RunUp run_up(const SolitaryClimb& climb, const std::function<void(const dispersive::Flow&)>& after_step,
+             double latest) {
   dispersive::Flow flow = climb.start();
+  RunUp run;
   Peak edge;
   edge.add(flow.time(), flow.y().back());
   // The water's edge rises above the wave's own height: what was before was not the run-up.
   const auto fell = [&] { return edge.value() > climb.amplitude && flow.y().back() < fallen * edge.value(); };
-  while (flow.time() < watch.latest && !fell()) {
+  while (flow.time() < latest && !fell()) {
     flow.advance(climb.step(flow));
     edge.add(flow.time(), flow.y().back());
-    if (watch.after_step) watch.after_step(flow);
+    run.times.push_back(flow.time());
+    run.levels.push_back(flow.y().back());
+    if (after_step) after_step(flow);
   }
-  RunUp run;
   if (fell()) {
     run.height = edge.value();
     run.time = edge.time();
@@ -79,12 +81,23 @@ RunUp run_up(const SolitaryClimb& climb, const ClimbWatch& watch) {
   return run;
 }
 
+RunUpSequence run_ups(SolitaryClimb climb, const std::vector<double>& spacings) {
+  RunUpSequence sequence;
+  for (const double spacing : spacings) {
+    climb.spacing = spacing;
+    sequence.add(spacing, run_up(climb).height);
+  }
+  return sequence;
+}
+
+Parameter scheme_parameter() {
+  return choice("scheme", "one_step", {"one_step", "one_step_feedback", "conservative"},
+                "time stepping; the first is Frank's");
+}
+
 std::vector<Parameter> step_parameters() {
-  return {
-      real("tau_over_h", 0.25, "1", {1e-3, 2}, "time step over the spacing; shorter steps in shallow water"),
-      choice("scheme", "one_step", {"one_step", "one_step_feedback", "conservative"},
-             "time stepping; the first is Frank's"),
-  };
+  return {real("tau_over_h", 0.25, "1", {1e-3, 2}, "time step over the spacing; shorter steps in shallow water"),
+          scheme_parameter()};
 }
 
 std::vector<Parameter> climb_parameters(ByTier<double> spacing) {
@@ -100,7 +113,7 @@ std::vector<Parameter> slope_parameters() {
   };
 }
 
-SolitaryClimb climb_from(const Values& values, double cot_slope, double amplitude) {
+SolitaryClimb climb_from(const Values& values, double cot_slope, double amplitude, std::optional<double> spacing) {
   SolitaryClimb climb{.cot_slope = cot_slope, .amplitude = amplitude};
   for (const Parameter& one : values.declared()) {
     if (one.name == "h") climb.spacing = values.real(one.name);
@@ -113,6 +126,7 @@ SolitaryClimb climb_from(const Values& values, double cot_slope, double amplitud
       climb.kinetics = dispersive::Kinetics::green_naghdi;
     }
   }
+  climb.spacing = spacing.value_or(climb.spacing);
   return climb;
 }
 

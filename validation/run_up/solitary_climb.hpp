@@ -5,18 +5,19 @@
 /// of its height is before the toe, with as much room behind it.
 #pragma once
 
-#include "seiche/exact/model_waves.hpp"
-
 #include <functional>
 #include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "reports/evidence/grid_convergence.hpp"
 #include "reports/evidence/record.hpp"
+#include "seiche/exact/model_waves.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/flow.hpp"
 #include "validation/case/claims.hpp"
 #include "validation/case/parameter.hpp"
+#include "validation/instruments/each.hpp"
 
 namespace seiche::validation {
 
@@ -53,23 +54,38 @@ struct RunUp {
   /// Highest the water's edge gets before it falls again, and when, since the start; NaN if it was still rising.
   double height = std::numeric_limits<double>::quiet_NaN();
   double time = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> times = {}, levels = {};  ///< of the water's edge, after every step
+
+  /// The times, less an origin.
+  [[nodiscard]] std::vector<double> since(double origin) const {
+    return each(times, [origin](double t) { return t - origin; });
+  }
 };
 
-struct ClimbWatch {
-  std::function<void(const dispersive::Flow&)> after_step = {};
-  double latest = 1e4;  ///< the run ends then at the latest
-};
+/// Runs until the water's edge has fallen to 0.9 of its highest, or to a latest time. Throws Divergence.
+RunUp run_up(const SolitaryClimb& climb, const std::function<void(const dispersive::Flow&)>& after_step = {},
+             double latest = 1e4);
 
-/// Runs until the water's edge has fallen to 0.9 of its highest. Throws Divergence.
-RunUp run_up(const SolitaryClimb& climb, const ClimbWatch& watch = {});
+/// Run-ups with several spacings.
+struct RunUpSequence {
+  std::vector<double> spacing = {}, height = {};
+
+  void add(double h, double reached) {
+    spacing.push_back(h);
+    height.push_back(reached);
+  }
+  [[nodiscard]] evidence::GridConvergence limit() const { return evidence::grid_convergence(spacing, height, 2); }
+};
+RunUpSequence run_ups(SolitaryClimb climb, const std::vector<double>& spacings);
 
 /// Parameters that choose the method: spacing and, of the steps, tau_over_spacing and scheme; over slopes tip_mass and
 /// kinetics.
 std::vector<Parameter> climb_parameters(ByTier<double> spacing);
 std::vector<Parameter> step_parameters();
+Parameter scheme_parameter();
 std::vector<Parameter> slope_parameters();
-/// A climb with those of them that the case has.
-SolitaryClimb climb_from(const Values& values, double cot_slope, double amplitude);
+/// A climb with those of them that the case has. @param spacing  instead of its own
+SolitaryClimb climb_from(const Values& values, double cot_slope, double amplitude, std::optional<double> spacing = {});
 
 /// Joins lists of parameters.
 std::vector<Parameter> joined(std::vector<std::vector<Parameter>> lists);

@@ -49,6 +49,7 @@ const std::string source = "Synolakis (1987)";
 
 /// The model's surfaces at the times of a table of profiles, as far as it gets.
 struct Followed {
+  double spacing = 0;
   Profiles surfaces;
   std::optional<double> stopped;  ///< when markers crossed or the water was gone
 };
@@ -56,7 +57,7 @@ struct Followed {
 Followed follow(const SolitaryClimb& climb, const Profiles& reference) {
   constexpr double gauge_fraction = 1.0 / 20;
   const double begin = climb.time_to(-cot_slope - climb.reach(gauge_fraction));
-  Followed followed;
+  Followed followed{.spacing = climb.spacing};
   Flow flow = climb.start();
   try {
     for (const auto& [t, unused] : reference) {
@@ -101,46 +102,36 @@ AsNear as_near(const Profiles& laboratory, const Profiles& model, const Profiles
   return result;
 }
 
-/// A = 0.3, ten times the height that breaks on the way up, as far as one spacing gets.
-struct Breaking {
-  double spacing = 0;
-  Followed followed;
-};
-
-std::vector<Breaking> follow_breaking(const Run& run, const Profiles& laboratory) {
+/// A = 0.3, ten times the height that breaks on the way up.
+std::vector<Followed> follow_breaking(const Run& run, const Profiles& laboratory) {
   constexpr double fine_step = 1.0 / 16;  // of the spacing: the front is steep
-  std::vector<Breaking> all;
+  std::vector<Followed> all;
   for (const double spacing : {0.5, 0.25, 0.125}) {
-    SolitaryClimb climb = climb_from(run, cot_slope, breaking_amplitude);
-    climb.spacing = spacing;
+    SolitaryClimb climb = climb_from(run, cot_slope, breaking_amplitude, spacing);
     climb.tau_over_spacing = fine_step;
-    all.push_back({spacing, follow(climb, laboratory)});
+    all.push_back(follow(climb, laboratory));
   }
   return all;
 }
 
 /// The same wave with breaking and friction, to the end of the run-down.
 Followed follow_closure(const Run& run, const Profiles& laboratory) {
-  SolitaryClimb climb = climb_from(run, cot_slope, breaking_amplitude);
+  SolitaryClimb climb = climb_from(run, cot_slope, breaking_amplitude, 0.125);
   climb.kinetics = dispersive::Kinetics::green_naghdi;
   climb.tip_mass = dispersive::TipMass::consistent;
   climb.friction = {dispersive::FrictionLaw::manning, 0.038};
   climb.breaking = dispersive::Breaking{};
-  climb.spacing = 0.125;
   Profiles wanted = laboratory;
   wanted[80] = {};
   return follow(climb, wanted);
 }
 
 /// Whether every halving of the spacing lets the run stop no later, and the last one does stop it.
-bool stop_ever_earlier(const std::vector<Breaking>& all) {
-  if (!all.back().followed.stopped) return false;
-  for (std::size_t k = 1; k < all.size(); ++k) {
-    const std::optional<double>& coarse = all[k - 1].followed.stopped;
-    const std::optional<double>& fine = all[k].followed.stopped;
-    if (coarse && !(fine && *fine <= *coarse)) return false;
-  }
-  return true;
+bool stop_ever_earlier(const std::vector<Followed>& all) {
+  const auto later = [](const Followed& coarse, const Followed& fine) {
+    return coarse.stopped && !(fine.stopped && *fine.stopped <= *coarse.stopped);
+  };
+  return all.back().stopped && std::ranges::adjacent_find(all, later) == all.end();
 }
 
 struct Results {
@@ -154,7 +145,7 @@ struct Results {
   std::vector<double> distance;  ///< with each of them, largest from the laboratory
   Differences off_analytic;
   AsNear nearness;
-  std::vector<Breaking> breaking;
+  std::vector<Followed> breaking;
   Followed closure;
 };
 
@@ -179,7 +170,7 @@ void draw_profiles(evidence::Exhibit& exhibit, const Profiles& laboratory, const
   }
 }
 
-void draw_breaking_wave(evidence::Exhibit& exhibit, const Profiles& laboratory, const std::vector<Breaking>& runs,
+void draw_breaking_wave(evidence::Exhibit& exhibit, const Profiles& laboratory, const std::vector<Followed>& runs,
                         const Profiles& closure) {
   auto& figure = exhibit.figure(
       "breaking_wave", "Wave breaking in the laboratory",
@@ -194,7 +185,7 @@ void draw_breaking_wave(evidence::Exhibit& exhibit, const Profiles& laboratory, 
       const auto shown = static_cast<std::size_t>(end);
       panel.line(name, std::span(surface.x).first(shown), std::span(surface.y).first(shown), Role::computed);
     };
-    for (const Breaking& run : runs) draw(fmt::format("model, h = {:g}", run.spacing), run.followed.surfaces);
+    for (const Followed& run : runs) draw(fmt::format("model, h = {:g}", run.spacing), run.surfaces);
     draw("model with breaking, h = 0.125", closure);
   }
 }
@@ -320,13 +311,12 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
                                      {"reference", "A [depth]", "t", "rms [depth]", "range [depth]", "dry [1]"});
   tabulate(table, "analytic", theory_amplitude, r.off_analytic);
   tabulate(table, "laboratory", laboratory_amplitude, r.off_laboratory);
-  const Breaking& coarsest = r.breaking.front();
-  tabulate(table, "breaking", breaking_amplitude, differences(coarsest.followed.surfaces, r.breaking_laboratory));
+  tabulate(table, "breaking", breaking_amplitude, differences(r.breaking.front().surfaces, r.breaking_laboratory));
   for (const auto& [t, theory] : r.nearness.theory) {
     exhibit.measure(fmt::format("rms_laboratory_of_theory_t{:g}", t), theory);
   }
-  for (const Breaking& one : r.breaking) {
-    exhibit.measure(fmt::format("breaking_wave_stops_h_1_{:g}", 1 / one.spacing), one.followed.stopped.value_or(nan));
+  for (const Followed& one : r.breaking) {
+    exhibit.measure(fmt::format("breaking_wave_stops_h_1_{:g}", 1 / one.spacing), one.stopped.value_or(nan));
   }
   draw_breaking_wave(exhibit, r.breaking_laboratory, r.breaking, r.closure.surfaces);
 }

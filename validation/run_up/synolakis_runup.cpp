@@ -18,7 +18,6 @@ error of the other at $h = 1/16$. In the laboratory waves of $A < 0.01$ climb as
 
 #include <fmt/format.h>
 
-#include "reports/evidence/grid_convergence.hpp"
 #include "seiche/exact/solitary_runup.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/literature.hpp"
@@ -37,27 +36,19 @@ const std::string source = "Synolakis (1987)";
 const std::string benchmark =
     "5 %, the tolerance of analytical benchmarks in Synolakis et al., NOAA Tech. Memo. OAR PMEL-135 (2007)";
 
+double spacing_of(std::size_t level) {
+  return 0.5 / std::pow(2.0, static_cast<double>(level));
+}
+
 double exact_runup() {
   return exact::SolitaryRunup(1, 1, shown_amplitude, cot_slope).highest().elevation;
 }
 
 /// Run-up of the wave A = 0.019 with spacings 1/2, 1/4, ... and one of the tips.
-struct Sequence {
-  std::vector<double> spacing, runup;
-
-  [[nodiscard]] evidence::GridConvergence limit() const { return evidence::grid_convergence(spacing, runup, 2); }
-};
-
-Sequence refine(const Values& values, TipMass tip) {
-  Sequence sequence;
-  for (long k = 0; k < values.integer("levels"); ++k) {
-    SolitaryClimb climb = climb_from(values, cot_slope, shown_amplitude);
-    climb.spacing = 0.5 / std::pow(2.0, static_cast<double>(k));
-    climb.tip_mass = tip;
-    sequence.spacing.push_back(climb.spacing);
-    sequence.runup.push_back(run_up(climb).height);
-  }
-  return sequence;
+RunUpSequence refine(const Values& values, TipMass tip) {
+  SolitaryClimb climb = climb_from(values, cot_slope, shown_amplitude);
+  climb.tip_mass = tip;
+  return run_ups(climb, each(indices(values.count("levels")), spacing_of));
 }
 
 /// Laboratory waves that do not break, each height computed once with a spacing.
@@ -75,9 +66,7 @@ Laboratory compare_runups(const Run& run, double spacing) {
     const double amplitude = table.column("A_over_d")[k];
     if (amplitude > breaks_above) continue;
     if (!all.runup.contains(amplitude)) {
-      SolitaryClimb climb = climb_from(run, cot_slope, amplitude);
-      climb.spacing = spacing;
-      all.runup[amplitude] = run_up(climb).height;
+      all.runup[amplitude] = run_up(climb_from(run, cot_slope, amplitude, spacing)).height;
     }
     const double height = all.runup[amplitude];
     all.off_measured.add(height / table.column("R_over_d")[k] - 1);
@@ -87,15 +76,14 @@ Laboratory compare_runups(const Run& run, double spacing) {
 }
 
 struct Results {
-  Sequence elementary;
-  Sequence consistent;
+  RunUpSequence elementary, consistent;
   Laboratory laboratory;
   Laboratory coarse;  ///< with twice the spacing
 };
 
 void claims(const Values& values, const Claims<Results>& claims) {
-  const auto refined = claims.at(fmt::format("h = 0.5 to {:g}, tip V/6, extrapolated",
-                                             0.5 / std::pow(2.0, static_cast<double>(values.integer("levels") - 1))));
+  const auto refined =
+      claims.at(fmt::format("h = 0.5 to {:g}, tip V/6, extrapolated", spacing_of(values.count("levels") - 1)));
   refined.check(
       "runup", "Maximum run-up agrees with the exact shallow-water solution within 5 %.", "run-up [depth]",
       [](const Results& r) { return r.consistent.limit().extrapolated; },
@@ -141,9 +129,9 @@ void show_refinement(const Results& r, evidence::Exhibit& exhibit) {
                           {.x = "h [depth]", .y = "R [depth]"});
   for (const auto& [sequence, id, label] : {std::tuple{&r.elementary, "elementary", "tip V/4, the thesis's"},
                                             std::tuple{&r.consistent, "consistent", "tip V/6"}}) {
-    panel.line(label, sequence->spacing, sequence->runup, Role::computed);
+    panel.line(label, sequence->spacing, sequence->height, Role::computed);
     for (std::size_t k = 0; k < sequence->spacing.size(); ++k) {
-      exhibit.measure(fmt::format("runup_{}_h_1_{:g}", id, 1 / sequence->spacing[k]), sequence->runup[k]);
+      exhibit.measure(fmt::format("runup_{}_h_1_{:g}", id, 1 / sequence->spacing[k]), sequence->height[k]);
     }
     exhibit.measure(fmt::format("runup_{}_extrapolated", id), sequence->limit().extrapolated);
     exhibit.measure(fmt::format("runup_{}_order", id), sequence->limit().order);

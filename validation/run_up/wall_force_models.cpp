@@ -27,6 +27,7 @@ particles, mesh, Dirichlet cells and variable-mass particles stay below 0.6 % up
 #include <limits>
 #include <map>
 #include <memory>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -34,6 +35,7 @@ particles, mesh, Dirichlet cells and variable-mass particles stay below 0.6 % up
 #include "seiche/models/shallow_water_finite_volume/finite_volume_flow.hpp"
 #include "seiche/samples.hpp"
 #include "validation/case/case.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/studies/side_by_side/tank_wave.hpp"
 
 namespace seiche::validation::cases::wall_force_models {
@@ -58,9 +60,8 @@ double dip(const Curve& force) {
   Largest deepest;
   deepest.add(0);
   for (std::size_t k = 1; k + 1 < force.size(); ++k) {
-    const auto here = force.begin() + static_cast<std::ptrdiff_t>(k);
-    const double sides = std::min(*std::max_element(force.begin(), here), *std::max_element(here, force.end()));
-    deepest.add(sides - *here);
+    const std::span all(force);
+    deepest.add(std::min(std::ranges::max(all.first(k)), std::ranges::max(all.subspan(k))) - force[k]);
   }
   return deepest.value();
 }
@@ -147,12 +148,10 @@ Contender by_force(Contender one, const Wall& wall, Felt& felt) {
 
 /// All models against one wave.
 struct Meeting {
-  double amplitude = 0;
-  Contest contest;
-  std::map<std::string, Felt> felt;  ///< by the model's id, on its finest resolution
-  Felt exact;
-  std::size_t first = 0;
-  double largest = 0;
+  double amplitude;
+  Wall wall;
+  Contest contest = {};
+  std::map<std::string, Felt> felt = {};  ///< by the model's id, on its finest resolution
 };
 
 struct Results : Meeting {
@@ -166,8 +165,8 @@ double highest(const Felt& felt) {
 /// Root mean square of the level's error over the exact run-up, as long as the model goes on.
 double error_of_level(const Felt& felt, const Meeting& r) {
   Mean off;
-  for (std::size_t k = r.first; k < felt.level.size(); ++k) off.add(felt.level[k] - r.exact.level[k], 1);
-  return off.rms() / highest(r.exact);
+  for (std::size_t k = r.wall.first; k < felt.level.size(); ++k) off.add(felt.level[k] - r.wall.felt.level[k], 1);
+  return off.rms() / highest(r.wall.felt);
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
@@ -176,7 +175,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const auto high = all.only_if(values.real("amplitude") >= 0.45, "lower waves have one maximum, or a small dip");
   const std::string share = "dip over the dip of the exact force";
   const auto dip_of = [](const std::string& id) {
-    return [id](const Results& r) { return dip(r.felt.at(id).force) / dip(r.exact.force); };
+    return [id](const Results& r) { return dip(r.felt.at(id).force) / dip(r.wall.felt.force); };
   };
   const auto two_maxima = [&](const Claims<Results>& list, const Named& model) {
     list.check(model.id + "-dip", fmt::format("The force has two maxima with a dip between them ({}).", model.name),
@@ -243,7 +242,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
       "lowest-two-maxima", "The smallest wave height with two maxima of the exact force is about H/h = 0.4.",
       "least height with a dip [depth]",
       [](const Results& r) {
-        const auto two = std::ranges::find_if(r.heights, [](const Meeting& met) { return dip(met.exact.force) > 0; });
+        const auto two =
+            std::ranges::find_if(r.heights, [](const Meeting& met) { return dip(met.wall.felt.force) > 0; });
         return two == r.heights.end() ? nan : two->amplitude;
       },
       Bound{.limit = 0.1, .reason = "heights at intervals of 0.1; the source states some 0.4", .expected = 0.4});
@@ -252,7 +252,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
 }
 
 Meeting meet(const Run& run, double amplitude, const TankSizes& sizes) {
-  const Wall wall{SolitaryWave(amplitude)};
+  Meeting met{amplitude, Wall(SolitaryWave(amplitude))};
+  const Wall& wall = met.wall;
   TankWave tank = solitary_tank(wall.wave, wall.start, 2 * wall.start, 4 * wall.start);
   tank.surface = [](double, double) { return 0.0; };
   tank.amplitude = 1;
@@ -271,7 +272,6 @@ Meeting meet(const Run& run, double amplitude, const TankSizes& sizes) {
                         .resolutions = ladder_to(sizes.markers, {0.5, 1}),
                         .size = [](long n) { return 1 / static_cast<double>(n); },
                         .start = [&wall](long n) { return start_shallow_water(wall, n); }});
-  Meeting met{.amplitude = amplitude, .exact = wall.felt, .first = wall.first, .largest = wall.largest};
   for (Contender& one : contenders) one = by_force(std::move(one), wall, met.felt[one.id]);
   met.contest = contest(run, contenders,
                         {.end = wall.end(),
@@ -296,66 +296,59 @@ Results compute(const Run& run) {
 
 /// Error of the force, and the dip, over the height of the wave: a curve of each model.
 void draw_heights(const Results& r, evidence::Exhibit& exhibit) {
-  using Of = std::function<double(const Meeting&)>;
-  const auto curve = [&](evidence::Panel& panel, const std::string& name, Role role, const Of& of) {
-    Curve heights, values;
-    for (const Meeting& met : r.heights) {
-      heights.push_back(met.amplitude);
-      values.push_back(of(met));
-    }
-    panel.line(name, heights, values, role);
-  };
+  const Curve heights = each(r.heights, &Meeting::amplitude);
   const std::string sizes = "Over the largest exact force, at the quick tier's resolutions.";
   auto& errors = add_panel(exhibit, "heights", "Error of the force over the height of the wave", sizes,
                            {.x = "height of the wave [depth]", .y = "rms error / largest force", .log_y = true});
   auto& dips = add_panel(exhibit, "dips", "Dip between two maxima of the force over the height of the wave", sizes,
                          {.x = "height of the wave [depth]", .y = "dip / largest force", .y_min = 0, .y_max = 0.2});
-  curve(dips, "exact", Role::exact, [](const Meeting& met) { return dip(met.exact.force) / met.largest; });
+  const auto exact = [](const Meeting& met) { return dip(met.wall.felt.force) / met.wall.largest; };
+  dips.line("exact", heights, each(r.heights, exact), Role::exact);
   for (const Entry& entry : r.contest.entries()) {
     const Role role = entry.role == Role::data ? Role::peer : entry.role;
-    curve(errors, entry.name, role, [&](const Meeting& met) { return error_of_finest(met.contest.of(entry.id)); });
-    curve(dips, entry.name, role, [&](const Meeting& met) {
-      const bool whole = std::isfinite(error_of_finest(met.contest.of(entry.id)));
-      return whole ? dip(met.felt.at(entry.id).force) / met.largest : std::numeric_limits<double>::quiet_NaN();
-    });
+    const auto error = [&](const Meeting& met) { return error_of_finest(met.contest.of(entry.id)); };
+    errors.line(entry.name, heights, each(r.heights, error), role);
+    const auto own = [&](const Meeting& met) {
+      return std::isfinite(error(met)) ? dip(met.felt.at(entry.id).force) / met.wall.largest : nan;
+    };
+    dips.line(entry.name, heights, each(r.heights, own), role);
   }
 }
 
 /// One figure: a curve of the exact flow and of each model that came so far.
-void draw(const Results& r, Curve Felt::*what, double shift, const std::string& id, const std::string& title,
-          const std::string& axis, const Values& values, evidence::Exhibit& exhibit) {
-  auto& panel = add_panel(exhibit, id, title,
-                          fmt::format("H/h = {:g}, each model at its finest resolution.", values.real("amplitude")),
-                          {.x = "t [sqrt(depth/g)]", .y = axis});
+void draw(const Results& r, Curve Felt::*what, double shift, evidence::Panel& panel) {
   const auto line = [&](const std::string& name, const Curve& all, Role role) {
-    Curve times, values_there;
-    for (std::size_t k = r.first; k < all.size(); ++k) {
-      times.push_back(interval * (static_cast<double>(k) + shift));
-      values_there.push_back(all[k]);
-    }
-    if (!times.empty()) panel.line(name, times, values_there, role);
+    if (all.size() <= r.wall.first) return;
+    const std::span those = std::span(all).subspan(r.wall.first);
+    const auto time = [&](std::size_t k) { return interval * (static_cast<double>(r.wall.first + k) + shift); };
+    panel.line(name, each(indices(those.size()), time), those, role);
   };
-  line("exact", r.exact.*what, Role::exact);
+  line("exact", r.wall.felt.*what, Role::exact);
   for (const Entry& entry : r.contest.entries()) {
     // Data's black line is the exact one's.
     line(entry.name, r.felt.at(entry.id).*what, entry.role == Role::data ? Role::peer : entry.role);
   }
 }
 
-void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
-  draw(r, &Felt::force, 0.5, "force", "Force on the wall", "force - 1/2 [rho g depth^2]", values, exhibit);
-  draw(r, &Felt::level, 1, "run-up", "Run-up on the wall", "level at the wall [depth]", values, exhibit);
+void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
+  const std::string caption = fmt::format("H/h = {:g}, each model at its finest resolution.", r.amplitude);
+  draw(r, &Felt::force, 0.5,
+       add_panel(exhibit, "force", "Force on the wall", caption,
+                 {.x = "t [sqrt(depth/g)]", .y = "force - 1/2 [rho g depth^2]"}));
+  draw(r, &Felt::level, 1,
+       add_panel(exhibit, "run-up", "Run-up on the wall", caption,
+                 {.x = "t [sqrt(depth/g)]", .y = "level at the wall [depth]"}));
   evidence::Table& table = add_table(exhibit, "force", "Largest force, the dip between two maxima, and the run-up",
                                      "Forces are means over a tenth of sqrt(depth/g), beyond the force at rest.",
                                      {"model", "largest force [1]", "over the exact [1]", "dip [1]", "run-up [depth]",
                                       "rms error of the level over the run-up [1]"});
   const auto row = [&](const std::string& name, const Felt& felt) {
     const double largest = felt.force.empty() ? 0 : std::ranges::max(felt.force);
-    table.rows.push_back(
-        {name, largest, largest / r.largest, dip(felt.force) / r.largest, highest(felt), error_of_level(felt, r)});
+    table.rows.push_back({name, largest, largest / r.wall.largest, dip(felt.force) / r.wall.largest, highest(felt),
+                          error_of_level(felt, r)});
   };
   if (!r.heights.empty()) draw_heights(r, exhibit);
-  row("exact", r.exact);
+  row("exact", r.wall.felt);
   for (const Entry& entry : r.contest.entries()) row(entry.name, r.felt.at(entry.id));
   r.contest.show(exhibit, {.size = "depth", .error = "largest force", .time = "sqrt(depth/g)"});
 }

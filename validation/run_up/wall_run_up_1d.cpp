@@ -20,7 +20,6 @@ depth-uniform velocity cannot represent.
 
 #include <fmt/format.h>
 
-#include "reports/evidence/grid_convergence.hpp"
 #include "seiche/exact/overturning/wall_runup.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/literature.hpp"
@@ -34,29 +33,10 @@ using exact::WallRunup;
 
 const std::string source = "Su and Mirie (1980); Serre (1953)";
 
-/// One height with the spacing and twice and four times that.
-struct Converged {
-  double amplitude = 0;
-  std::vector<double> spacing = {}, runup = {};
-
-  [[nodiscard]] evidence::GridConvergence limit() const { return evidence::grid_convergence(spacing, runup, 2); }
-};
-
-Converged converge(const Values& values, double amplitude) {
-  Converged result{.amplitude = amplitude};
-  for (const double factor : {4.0, 2.0, 1.0}) {
-    SolitaryClimb climb = climb_from(values, 0, amplitude);
-    climb.spacing *= factor;
-    result.spacing.push_back(climb.spacing);
-    result.runup.push_back(run_up(climb).height);
-  }
-  return result;
-}
-
 /// All heights of the table of exact values.
 struct Comparison {
   std::vector<double> amplitude, euler;
-  std::vector<Converged> heights = {};
+  std::vector<RunUpSequence> heights = {};  ///< with the spacing and twice and four times that
 
   [[nodiscard]] double serre(std::size_t k) const { return heights.at(k).limit().extrapolated; }
   [[nodiscard]] double gap(std::size_t k) const { return std::abs(serre(k) - euler[k]); }
@@ -66,7 +46,8 @@ Comparison compare(const Run& run) {
   const io::Table table = run.table("wall_runup_exact");
   Comparison all{.amplitude = table.column("a"), .euler = table.column("R")};
   for (const double a : all.amplitude) {
-    all.heights.push_back(converge(run, a));
+    const SolitaryClimb climb = climb_from(run, 0, a);
+    all.heights.push_back(run_ups(climb, {4 * climb.spacing, 2 * climb.spacing, climb.spacing}));
     run.progress(0.2 + 0.8 * static_cast<double>(all.heights.size()) / static_cast<double>(all.amplitude.size()));
   }
   return all;
@@ -90,11 +71,9 @@ void measure_comparison(evidence::Exhibit& exhibit, const Comparison& all) {
 
 void draw_comparison(evidence::Exhibit& exhibit, const Comparison& all) {
   const std::vector<double> fine = evenly(0.05, all.amplitude.back(), 101);
-  std::vector<double> serre, gap;
-  for (std::size_t k = 0; k < all.amplitude.size(); ++k) {
-    serre.push_back(all.serre(k));
-    gap.push_back(all.gap(k));
-  }
+  const auto waves = indices(all.amplitude.size());
+  const std::vector<double> serre = each(waves, [&](std::size_t k) { return all.serre(k); });
+  const std::vector<double> gap = each(waves, [&](std::size_t k) { return all.gap(k); });
   auto& figure = exhibit.figure("runup", "Run-up on a vertical wall",
                                 "Model extrapolated to zero spacing, exact values of the Euler equations, and series; "
                                 "then the difference of model and Euler equations.");
@@ -113,8 +92,6 @@ void draw_comparison(evidence::Exhibit& exhibit, const Comparison& all) {
 struct Results {
   SolitaryClimb climb;
   RunUp up = {};
-  std::vector<double> time = {};  ///< since the undisturbed crest would be at the wall
-  std::vector<double> level = {};
   Comparison comparison = {};
 };
 
@@ -135,12 +112,8 @@ void claims(const Values& values, const Claims<Results>& claims) {
 }
 
 Results compute(const Run& run) {
-  Results r{.climb = climb_of(run)};
-  const double arrival = r.climb.time_to(0);
-  r.up = run_up(r.climb, {.after_step = [&](const dispersive::Flow& flow) {
-                  r.time.push_back(flow.time() - arrival);
-                  r.level.push_back(flow.y().back());
-                }});
+  const SolitaryClimb climb = climb_of(run);
+  Results r{.climb = climb, .up = run_up(climb)};
   run.progress(0.2);
   r.comparison = compare(run);
   return r;
@@ -155,7 +128,7 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
   add_panel(exhibit, "wall", "Water level at the wall",
             fmt::format("A = {:g}; time since the undisturbed crest is at the wall.", r.climb.amplitude),
             {.x = "t [sqrt(depth/g)]", .y = "elevation [depth]"})
-      .line("model", r.time, r.level, Role::computed);
+      .line("model", r.up.since(r.climb.time_to(0)), r.up.levels, Role::computed);
   draw_comparison(exhibit, r.comparison);
 }
 

@@ -31,43 +31,16 @@ mesh is rezoned (`rezone`, `run_up_mesh_rezoned`).
 #include "validation/case/literature.hpp"
 #include "validation/case/reference_table.hpp"
 #include "validation/instruments/each.hpp"
-#include "validation/instruments/mesh/mesh_gauges.hpp"
-#include "validation/run_up/mesh_wall_climb.hpp"
+#include "validation/run_up/mesh_climb.hpp"
+#include "validation/run_up/solitary_climb.hpp"
 #include "validation/studies/lagrangian_mesh_2d/mesh_figure.hpp"
 
 namespace seiche::validation::cases::wall_run_up_mesh {
 
-using lagrangian_mesh_2d::Flow;
-
 const std::string source = "Frank (1994), chapter 2; Su and Mirie (1980)";
 
-struct History {
-  std::vector<double> time, contact, load_time, still, bottom, force;
-  std::vector<double> highest_x, highest_y;  ///< the mesh when the contact point was highest
-  Largest highest;
-  WallGauge gauge;
-
-  void add(const Flow& flow) {
-    const double now = flow.surface_y().back();
-    const double before = highest.value();
-    highest.add(now);
-    if (time.empty() || now > before) {
-      highest_x.assign(flow.x().begin(), flow.x().end());
-      highest_y.assign(flow.y().begin(), flow.y().end());
-    }
-    time.push_back(flow.time());
-    contact.push_back(now);
-    const auto load = gauge.read(flow);
-    if (!load) return;
-    load_time.push_back(load->time);
-    still.push_back(load->pressure_at(0));
-    bottom.push_back(load->pressure_at(-1));
-    force.push_back(load->force);
-  }
-};
-
-MeshWallClimb climb_of(const Values& values) {
-  MeshWallClimb climb = mesh_climb_from(values, exact::SolitaryWave(values.real("amplitude")));
+MeshClimb climb_of(const Values& values) {
+  MeshClimb climb = mesh_climb_from(values, exact::SolitaryWave(values.real("amplitude")));
   climb.rezone = values.real("rezone");
   return climb;
 }
@@ -89,47 +62,35 @@ std::optional<double> tabled_runup(const Values& values) {
 
 /// What the meshes give, the one that was asked for last; NaN where one tangles before its largest run-up.
 struct Sequence {
-  std::vector<double> spacing, runup, still, bottom, force;
+  std::vector<double> spacing;
+  std::vector<ClimbMaxima> maxima;
 
-  void add(const MeshWallClimb& climb, const MeshWallRun& run) {
-    const double reached = run.fell ? 1 : nan;
+  void add(const MeshClimb& climb, const MeshRun& run) {
     spacing.push_back(climb.spacing);
-    runup.push_back(run.runup());
-    still.push_back(reached * run.pressure_still);
-    bottom.push_back(reached * run.pressure_bottom);
-    force.push_back(reached * run.force);
+    maxima.push_back(run.reached());
   }
   /// That all meshes carried the wave to its largest run-up.
-  [[nodiscard]] bool complete() const { return !std::isnan(worst(runup)); }
-  [[nodiscard]] evidence::GridConvergence limit(std::vector<double> Sequence::*values) const {
-    return evidence::grid_convergence(spacing, this->*values, 2);
+  [[nodiscard]] bool complete() const { return !std::isnan(worst(each(maxima, &ClimbMaxima::level))); }
+  [[nodiscard]] evidence::GridConvergence limit(double ClimbMaxima::*of) const {
+    return evidence::grid_convergence(spacing, each(maxima, of), 2);
   }
-  [[nodiscard]] std::vector<double> errors(std::vector<double> Sequence::*values, double exact) const {
-    return each(this->*values, [&](const double value) { return std::abs(value - exact); });
+  [[nodiscard]] Measurement finest(double ClimbMaxima::*of) const {
+    return {.value = maxima.back().*of, .uncertainty = limit(of).uncertainty};
+  }
+  [[nodiscard]] std::vector<double> errors(double ClimbMaxima::*of, double exact) const {
+    return each(maxima, [&](const ClimbMaxima& one) { return std::abs(one.*of - exact); });
   }
 };
-
-struct Load {
-  std::string id, column, name, unit;
-  std::vector<double> Sequence::*values;
-  bool converges;  ///< by a power of the mesh
-};
-const std::vector<Load> loads{{"still", "p_still", "pressure at y = 0", "rho g depth", &Sequence::still, false},
-                              {"bottom", "p_bottom", "pressure at the bottom", "rho g depth", &Sequence::bottom, true},
-                              {"force", "F", "force", "rho g depth^2", &Sequence::force, true}};
 
 struct Results {
-  MeshWallClimb climb;
-  History history;
-  MeshWallRun up;
+  MeshClimb climb;
+  MeshRun up;
   Sequence all;
   double exact;  ///< NaN where it is not known
   bool tabled;   ///< known beforehand
-
-  [[nodiscard]] std::vector<double> errors() const { return all.errors(&Sequence::runup, exact); }
 };
 
-void claim_holds(const MeshWallClimb& climb, const Claims<Results>& claims) {
+void claim_holds(const MeshClimb& climb, const Claims<Results>& claims) {
   // A little lower it depends on the mesh.
   constexpr double tangling = 0.48;
   claims
@@ -142,13 +103,13 @@ void claim_holds(const MeshWallClimb& climb, const Claims<Results>& claims) {
           "holds", "The mesh remains untangled until the wave has left the wall.", "it does",
           [](const Results& r) -> Measurement {
             if (!r.up.tangle) return {.value = 1};
-            return {.value = 0, .where = fmt::format("t = {:.2f}, x = {:.2f}", r.up.tangle->time, r.up.tangle->place)};
+            return {.value = 0, .where = r.up.tangle->where()};
           },
           Qualitative{.detector = "no cell corner inverts",
                       .reason = "the Euler equations have a solution to the end"});
 }
 
-Order second_order(const MeshWallClimb& climb) {
+Order second_order(const MeshClimb& climb) {
   constexpr double coarsest_judged = 0.25;
   return {
       .theory = 2,
@@ -159,7 +120,7 @@ Order second_order(const MeshWallClimb& climb) {
 }
 
 /// Of the largest loads, where a table has exact values for the wave.
-void claim_loads(const Values& values, const MeshWallClimb& climb, const Claims<Results>& claims) {
+void claim_loads(const Values& values, const MeshClimb& climb, const Claims<Results>& claims) {
   const io::Table table = values.table("wall_load_exact");
   const double amplitude = climb.wave.amplitude();
   const bool mesh_holds = amplitude < 0.55 || climb.rezone > 0;
@@ -169,16 +130,13 @@ void claim_loads(const Values& values, const MeshWallClimb& climb, const Claims<
           .only_if(row.has_value(),
                    "exact loads are tabulated for A = 0.05, 0.1, ... 0.6; from 0.55 on only a rezoned mesh lasts")
           .only_if(has_coarser(values), "coarser meshes need a number of rows that is a multiple of 8");
-  for (const Load& load : loads) {
+  for (const LoadMaximum& load : load_maxima) {
     const double exact = row ? table.column(load.column)[*row] : 0;
     known.at(fmt::format("{}, and 4 coarser meshes", climb.resolution()))
         .check(
             "load-" + load.id,
             fmt::format("The maximum {} agrees with the Euler equations within the mesh uncertainty.", load.name),
-            fmt::format("{} [{}]", load.name, load.unit),
-            [load](const Results& r) -> Measurement {
-              return {.value = (r.all.*load.values).back(), .uncertainty = r.all.limit(load.values).uncertainty};
-            },
+            fmt::format("{} [{}]", load.name, load.unit), [load](const Results& r) { return r.all.finest(load.of); },
             Uncertainty{
                 .expected = exact,
                 .data = 1e-10,
@@ -190,14 +148,14 @@ void claim_loads(const Values& values, const MeshWallClimb& climb, const Claims<
         fmt::format("The maximum {} converges to the Euler equations at second order.", load.name),
         "order in the cell size",
         [load, exact](const Results& r) {
-          return evidence::observed_order(r.all.spacing, r.all.errors(load.values, exact));
+          return evidence::observed_order(r.all.spacing, r.all.errors(load.of, exact));
         },
         second_order(climb));
   }
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
-  const MeshWallClimb climb = climb_of(values);
+  const MeshClimb climb = climb_of(values);
   const double amplitude = climb.wave.amplitude();
   claim_holds(climb, claims.at(climb.resolution()));
   const auto known = claims.only_if(has_exact(amplitude), "exact values exist for A = 0.05 to 0.6")
@@ -208,7 +166,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
           "exact", "Maximum run-up agrees with the Euler equations within the numerical uncertainty.", "run-up [depth]",
           [](const Results& r) -> Measurement {
             if (!r.all.complete()) throw std::runtime_error("a mesh tangles before its maximum run-up");
-            Measurement runup{.value = r.all.runup.back(), .uncertainty = r.all.limit(&Sequence::runup).uncertainty};
+            Measurement runup = r.all.finest(&ClimbMaxima::level);
             if (!r.tabled) runup.told.expected = r.exact;
             return runup;
           },
@@ -219,20 +177,22 @@ void claims(const Values& values, const Claims<Results>& claims) {
                                 "computed where not tabulated; run-up below 3 A up to A = 0.6"});
   known.check(
       "order", "Maximum run-up converges to the Euler equations at second order.", "order in the cell size",
-      [](const Results& r) { return evidence::observed_order(r.all.spacing, r.errors()); }, second_order(climb));
+      [](const Results& r) {
+        return evidence::observed_order(r.all.spacing, r.all.errors(&ClimbMaxima::level, r.exact));
+      },
+      second_order(climb));
   claim_loads(values, climb, claims);
 }
 
 Results compute(const Run& run) {
-  const MeshWallClimb climb = climb_of(run);
-  History history;
-  MeshWallRun up = climb_wall(climb, [&](const Flow& flow) { history.add(flow); });
+  const MeshClimb climb = climb_of(run);
+  MeshRun up = climb_on_mesh(climb);
   run.progress(0.5);
   Sequence all;
   if (has_coarser(run)) {
     for (const long part : {2, 3, 4, 6}) {
-      const MeshWallClimb coarser = climb.refined(static_cast<double>(part) / parts);
-      all.add(coarser, climb_wall(coarser));
+      const MeshClimb coarser = climb.refined(static_cast<double>(part) / parts);
+      all.add(coarser, climb_on_mesh(coarser));
       run.progress(0.5 + 0.08 * static_cast<double>(part));
     }
     all.add(climb, up);
@@ -245,57 +205,61 @@ Results compute(const Run& run) {
     constexpr std::size_t markers = 256;
     exact = exact::WallRunup(climb.wave.amplitude(), 1, markers).runup();
   }
-  return {climb, std::move(history), std::move(up), std::move(all), exact, tabled.has_value()};
+  return {climb, std::move(up), std::move(all), exact, tabled.has_value()};
 }
 
-void draw_wall(const Results& r, evidence::Exhibit& exhibit) {
-  const History& all = r.history;
-  if (all.time.empty()) return;  // tangled in its first step
+void draw_wall(const MeshClimb& climb, const MeshRun& up, evidence::Exhibit& exhibit) {
+  if (up.times.empty()) return;  // tangled in its first step
   auto& histories = exhibit.figure("wall", "Water level and load at the wall",
-                                   fmt::format("A = {:g}; {}.", r.climb.wave.amplitude(), r.climb.resolution()));
-  histories.panel({.x = "t [sqrt(depth/g)]", .y = "contact point [depth]"}).line("mesh", all.time, all.contact);
+                                   fmt::format("A = {:g}; {}.", climb.wave.amplitude(), climb.resolution()));
+  histories.panel({.x = "t [sqrt(depth/g)]", .y = "contact point [depth]"}).line("mesh", up.times, up.levels);
+  const std::vector<double> time = each(up.loads, &WallLoad::time);
+  const auto pressure_at = [&](double y) {
+    return each(up.loads, [y](const WallLoad& load) { return load.pressure_at(y); });
+  };
   auto& pressures = histories.panel({.x = "t [sqrt(depth/g)]", .y = "pressure [rho g depth]"});
-  pressures.line("at the bottom", all.load_time, all.bottom);
-  pressures.line("at y = 0", all.load_time, all.still, Role::peer);
-  histories.panel({.x = "t [sqrt(depth/g)]", .y = "force [rho g depth^2]"}).line("mesh", all.load_time, all.force);
+  pressures.line("at the bottom", time, pressure_at(-1));
+  pressures.line("at y = 0", time, pressure_at(0), Role::peer);
+  histories.panel({.x = "t [sqrt(depth/g)]", .y = "force [rho g depth^2]"})
+      .line("mesh", time, each(up.loads, &WallLoad::force));
 
   const MeshWindow window{.begin = -2.5, .end = 0};
   auto& meshes = exhibit.figure("mesh", "The mesh at the wall",
-                                r.up.tangle ? "At the maximum run-up, and before the step in which it tangles."
-                                            : "At the maximum run-up, and at the end.");
-  auto& highest = meshes.panel(mesh_axes(fmt::format("t = {:.2f}", r.up.time_of_runup), window));
-  draw_mesh(highest, "mesh", r.up.flow.model().mesh(), all.highest_x, all.highest_y, window);
-  auto& last = meshes.panel(mesh_axes(fmt::format("t = {:.2f}", r.up.flow.time()), window));
-  draw_mesh(last, "mesh", r.up.flow, window);
+                                up.tangle ? "At the maximum run-up, and before the step in which it tangles."
+                                          : "At the maximum run-up, and at the end.");
+  auto& highest = meshes.panel(mesh_axes(fmt::format("t = {:.2f}", up.time_of_highest), window));
+  draw_mesh(highest, "mesh", up.flow.model().mesh(), up.x, up.y, window);
+  auto& last = meshes.panel(mesh_axes(fmt::format("t = {:.2f}", up.flow.time()), window));
+  draw_mesh(last, "mesh", up.flow, window);
 }
 
 void show_convergence(const Results& r, evidence::Exhibit& exhibit) {
-  exhibit.measure("runup_extrapolated", r.all.limit(&Sequence::runup).extrapolated);
+  exhibit.measure("runup_extrapolated", r.all.limit(&ClimbMaxima::level).extrapolated);
   if (std::isnan(r.exact)) return;
   const double amplitude = r.climb.wave.amplitude();
   exhibit.measure("su_mirie", exact::WallRunup::su_mirie(amplitude));
   auto& panel = add_panel(exhibit, "convergence", "Convergence of the run-up",
                           fmt::format("A = {:g}, exact value {:.6f}.", amplitude, r.exact),
                           {.x = "h1 [depth]", .y = "|R - R_exact| [depth]", .log_x = true, .log_y = true});
-  const std::vector<double> error = r.errors();
+  const std::vector<double> error = r.all.errors(&ClimbMaxima::level, r.exact);
   panel.points("mesh", r.all.spacing, error, Role::computed);
   slope_guide(panel, 2, r.all.spacing, error.back());
 }
 
 void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
-  const MeshWallRun& up = r.up;
-  exhibit.measure("highest", up.highest);
+  const MeshRun& up = r.up;
+  exhibit.measure("highest", up.highest.level);
   if (up.fell) exhibit.measure("runup", up.runup());
-  exhibit.measure("time_of_maximum", up.time_of_runup);
-  exhibit.measure("pressure_still_water_level", up.pressure_still);
-  exhibit.measure("pressure_bottom", up.pressure_bottom);
-  exhibit.measure("force", up.force);
+  exhibit.measure("time_of_maximum", up.time_of_highest);
+  exhibit.measure("pressure_still_water_level", up.highest.still);
+  exhibit.measure("pressure_bottom", up.highest.bottom);
+  exhibit.measure("force", up.highest.force);
   exhibit.measure("worst_corner_at_runup", up.worst_shape.value());
   if (up.tangle) {
     exhibit.measure("tangle_time", up.tangle->time);
     exhibit.measure("tangle_place", up.tangle->place);
   }
-  draw_wall(r, exhibit);
+  draw_wall(r.climb, up, exhibit);
   if (!r.all.spacing.empty() && r.all.complete()) show_convergence(r, exhibit);
 }
 
@@ -303,12 +267,11 @@ void wall_run_up_mesh(Case& c) {
   c.former_names = {"wall_run_up_2d"};
   c.title = "Run-up of a solitary wave on a vertical wall: two-dimensional Lagrangian mesh";
   c.source = literature::frank + ", section 2.2, figures 2 and 3; " + literature::su_mirie;
-  c.parameters = mesh_parameters({0.25, 0.125, 0.125}, {8, 16, 16}, {0.025, 0.0125, 0.0125});
-  c.parameters.insert(c.parameters.begin(),
-                      real("amplitude", 0.3, "depth", {0.02, 0.8}, "height of the incident wave"));
-  c.parameters.push_back(
-      real("rezone", 0, "cells", {0, 0.5},
-           "largest deviation of a node from its position before rezoning; 0: no rezoning, as in Frank's model"));
+  c.parameters = joined(
+      {{real("amplitude", 0.3, "depth", {0.02, 0.8}, "height of the incident wave")},
+       mesh_parameters({0.25, 0.125, 0.125}, {8, 16, 16}, {0.025, 0.0125, 0.0125}),
+       {real("rezone", 0, "cells", {0, 0.5},
+             "largest deviation of a node from its position before rezoning; 0: no rezoning, as in Frank's model")}});
   c.study = Study(claims, compute, show, source);
 }
 

@@ -18,6 +18,7 @@ still-water level, where the pressure begins like the elevation.
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <ranges>
 
 #include <fmt/format.h>
 
@@ -27,7 +28,8 @@ still-water level, where the pressure begins like the elevation.
 #include "validation/case/literature.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/instruments/each.hpp"
-#include "validation/run_up/mesh_wall_climb.hpp"
+#include "validation/run_up/mesh_climb.hpp"
+#include "validation/run_up/solitary_climb.hpp"
 
 namespace seiche::validation::cases::wall_run_up_mesh_figures {
 
@@ -37,8 +39,8 @@ constexpr double highest_claimed = 0.5;       // beyond, fine meshes tangle
 constexpr double largest_uncertainty = 0.05;  // of a value, that still says something
 const std::string counted_text = "5 % of the value counts";
 
-struct Climbed {
-  double amplitude, runup, still, bottom, force;
+struct Climbed : ClimbMaxima {
+  double amplitude;
 };
 
 /// What one mesh makes of the waves that it carries to their largest run-up.
@@ -47,7 +49,6 @@ struct Curve {
   std::vector<Climbed> points = {};
   bool rezoned = false;
 
-  [[nodiscard]] std::vector<double> column(double Climbed::*member) const { return each(points, member); }
   [[nodiscard]] const Climbed* at(double amplitude) const {
     const auto found = std::ranges::find_if(
         points, [&](const Climbed& point) { return std::abs(point.amplitude - amplitude) < 1e-9; });
@@ -63,14 +64,6 @@ struct Curve {
     return fmt::format("{} h1 = {:g}, {} rows", rezoned ? "rezoned" : "mesh", 2 * h2, rows);
   }
 };
-
-struct Load {
-  std::string id, column, name;
-  double Climbed::*member;
-};
-const std::vector<Load> compared_loads{{"still", "p_still", "pressure at y = 0", &Climbed::still},
-                                       {"bottom", "p_bottom", "pressure at the bottom", &Climbed::bottom},
-                                       {"force", "F", "force", &Climbed::force}};
 
 /// 2, 4, 8, ... rows.
 std::vector<long> meshes_of(const Values& values) {
@@ -89,13 +82,12 @@ constexpr std::array<long, 4> rezoned_parts{4, 5, 6, 8};
 constexpr double lowest_rezoned = 0.4;
 
 void climb_on(Curve& curve, const exact::SolitaryWave& wave, const Run& run, double rezone) {
-  MeshWallClimb climb = MeshWallClimb::with_rows(wave, curve.rows);
+  MeshClimb climb = MeshClimb::with_rows(wave, curve.rows);
   climb.stepping = mechanics::stepping_named(run.text("scheme"));
   climb.settings.hourglass = run.real("hourglass");
   climb.rezone = rezone;
-  const MeshWallRun up = climb_wall(climb);
-  if (!up.fell) return;
-  curve.points.push_back({wave.amplitude(), up.runup(), up.pressure_still, up.pressure_bottom, up.force});
+  const MeshRun up = climb_on_mesh(climb);
+  if (up.fell) curve.points.push_back({up.highest, wave.amplitude()});
 }
 
 Results compute(const Run& run) {
@@ -116,171 +108,150 @@ Results compute(const Run& run) {
   return r;
 }
 
+/// A maximum with its exact values, by the height of the wave.
+struct Known {
+  std::string id, name;
+  double Climbed::*of;
+  std::vector<double> amplitude, exact;
+};
+
+/// The run-up, then the loads.
+std::vector<Known> known_maxima(const Values& values) {
+  const io::Table runup = values.table("wall_runup_exact");
+  const io::Table loads = values.table("wall_load_exact");
+  std::vector<Known> known{{"exact", "run-up", &Climbed::level, runup.column("a"), runup.column("R")}};
+  for (const LoadMaximum& load : load_maxima) {
+    known.push_back({load.id, load.name, load.of, loads.column("A"), loads.column(load.column)});
+  }
+  return known;
+}
+
 /// Of the values that all meshes give for one wave, as half-width for the finest; NaN where one of them tangles.
-double mesh_uncertainty(const std::vector<Curve>& curves, double amplitude, double Climbed::*member) {
+double mesh_uncertainty(const std::vector<Curve>& curves, double amplitude, double Climbed::*of) {
   const auto size = each(curves, [](const Curve& curve) { return 1 / static_cast<double>(curve.rows); });
-  const auto value = each(curves, [&](const Curve& curve) { return curve.value(amplitude, member); });
+  const auto value = each(curves, [&](const Curve& curve) { return curve.value(amplitude, of); });
   return std::isnan(worst(value)) ? nan : evidence::grid_convergence(size, value, 2).uncertainty;
 }
 
-/// Difference of the finest mesh's value from a reference over its uncertainty, and that of the reference; of the
-/// former no more than `largest_uncertainty` of the reference counts.
-double over_uncertainty(const std::vector<Curve>& curves, double amplitude, double Climbed::*member, double reference,
-                        double of_reference) {
-  const double own = mesh_uncertainty(curves, amplitude, member);
-  const double counted = own > largest_uncertainty * reference ? largest_uncertainty * reference : own;
-  return (curves.back().value(amplitude, member) - reference) / std::hypot(counted, of_reference);
-}
-
-/// The largest of them, over the waves of a table between two heights.
-auto off_table(const io::Table& table, const std::string& of_amplitude, const std::string& column,
-               double Climbed::*member, double lowest, double highest, double of_reference) {
+/// Largest difference of the finest mesh's value from the exact one over its uncertainty, and that of the exact value,
+/// of waves between two heights; of the former no more than `largest_uncertainty` of the exact value counts.
+auto off_exact(const Known& known, double lowest, double highest, double of_exact) {
   return [=](const std::vector<Curve>& curves) {
     Worst off;
-    for (std::size_t k = 0; k < table.rows(); ++k) {
-      const double amplitude = table.column(of_amplitude)[k];
+    for (const std::size_t k : indices(known.amplitude.size())) {
+      const double amplitude = known.amplitude[k];
       if (amplitude < lowest - 1e-9 || amplitude > highest + 1e-9) continue;
-      off.add(over_uncertainty(curves, amplitude, member, table.column(column)[k], of_reference), amplitude);
+      const double own = mesh_uncertainty(curves, amplitude, known.of);
+      const double most = largest_uncertainty * known.exact[k];
+      off.add(
+          (curves.back().value(amplitude, known.of) - known.exact[k]) / std::hypot(own > most ? most : own, of_exact),
+          amplitude);
     }
     return off;
   };
 }
 
-void claim_exact(const Claims<std::vector<Curve>>& claims, const io::Table& exact) {
-  claims.check(
+void claims(const Values& values, const Claims<Results>& all) {
+  const std::vector<Known> maxima = known_maxima(values);
+  const Bound within{.limit = 1,
+                     .reason = "the uncertainty is the 95 % half-width of the finest mesh, limited to " + counted_text};
+  const auto rezoned =
+      all.of(&Results::rezoned).where("A = {:g}").at(Curve{.rows = values.integer("rows"), .rezoned = true}.name());
+  const auto finest = all.of(&Results::curves).where("A = {:g}").at(Curve{.rows = meshes_of(values).back()}.name());
+  for (const Known& one : maxima) {
+    rezoned.check("rezoned-" + one.id,
+                  fmt::format("The {1} from A = {0:g} to 0.6 on rezoned meshes agrees with the Euler equations within "
+                              "the uncertainty of the finest mesh.",
+                              lowest_rezoned, (one.id == "exact" ? "" : "largest ") + one.name),
+                  "largest difference over the mesh uncertainty", off_exact(one, lowest_rezoned, 1, 0), within);
+  }
+  finest.check(
       "exact",
       "Maximum run-up up to A = 0.5 agrees with the Euler equations within the uncertainty of the finest mesh.",
-      "largest difference over the mesh uncertainty",
-      off_table(exact, "a", "R", &Climbed::runup, 0, highest_claimed, 0),
-      Bound{.limit = 1,
-            .reason = "the uncertainty is the 95 % half-width of the finest mesh, limited to " + counted_text});
-}
-
-void claim_loads(const Claims<std::vector<Curve>>& claims, const io::Table& table) {
-  for (const Load& load : compared_loads) {
-    claims.check(
+      "largest difference over the mesh uncertainty", off_exact(maxima.front(), 0, highest_claimed, 0), within);
+  for (const Known& load : maxima | std::views::drop(1)) {
+    finest.check(
         "exact-" + load.id,
         fmt::format(
             "The maximum {} up to A = 0.5 agrees with the Euler equations within the uncertainty of the finest mesh.",
             load.name),
         "largest difference over the uncertainty, A = 0.1 to 0.5",
-        off_table(table, "A", load.column, load.member, lowest_compared, highest_claimed, 1e-10),
+        off_exact(load, lowest_compared, highest_claimed, 1e-10),
         Bound{.limit = 1,
               .reason = "the 95 % half-width from the change between meshes, limited to " + counted_text +
                         ", and column u of the exact values, at most 1e-10"});
   }
 }
 
-/// Of waves too high for Frank's mesh.
-void claim_rezoned(const Claims<std::vector<Curve>>& claims, const io::Table& runup, const io::Table& load) {
-  const auto claim = [&](const std::string& id, const std::string& name, const io::Table& table,
-                         const std::string& of_amplitude, const std::string& column, double Climbed::*member) {
-    claims.check(
-        "rezoned-" + id,
-        fmt::format("The {1} from A = {0:g} to 0.6 on rezoned meshes agrees with the Euler equations within the "
-                    "uncertainty of the finest mesh.",
-                    lowest_rezoned, name),
-        "largest difference over the mesh uncertainty",
-        off_table(table, of_amplitude, column, member, lowest_rezoned, 1, 0),
-        Bound{.limit = 1,
-              .reason = "the uncertainty is the 95 % half-width of the finest mesh, limited to " + counted_text});
-  };
-  claim("exact", "run-up", runup, "a", "R", &Climbed::runup);
-  for (const Load& one : compared_loads) claim(one.id, "largest " + one.name, load, "A", one.column, one.member);
-}
-
-void claims(const Values& values, const Claims<Results>& all) {
-  const std::vector<long> meshes = meshes_of(values);
-  claim_rezoned(
-      all.of(&Results::rezoned).where("A = {:g}").at(Curve{.rows = values.integer("rows"), .rezoned = true}.name()),
-      values.table("wall_runup_exact"), values.table("wall_load_exact"));
-  const auto claims = all.of(&Results::curves).where("A = {:g}");
-  const auto finest = claims.at(Curve{.rows = meshes.back()}.name());
-  claim_exact(finest, values.table("wall_runup_exact"));
-  claim_loads(finest, values.table("wall_load_exact"));
-}
-
-void tabulate(const std::vector<Curve>& curves, const io::Table& exact, evidence::Exhibit& exhibit) {
+void tabulate(const std::vector<Curve>& curves, const Known& runup, evidence::Exhibit& exhibit) {
   evidence::Table& table =
       add_table(exhibit, "runup", "Maximum run-up on a vertical wall",
                 "Empty where the mesh tangles earlier; high waves also on a rezoned mesh. Series: 2A + A^2/2 + 3A^3/4.",
                 {"A [depth]"});
   for (const Curve& curve : curves) table.columns.emplace_back(curve.name(), "depth");
   table.columns.insert(table.columns.end(), {{"exact", "depth"}, {"series", "depth"}});
-  for (std::size_t k = 0; k < exact.column("a").size(); ++k) {
-    const double amplitude = exact.column("a")[k];
+  for (const std::size_t k : indices(runup.amplitude.size())) {
+    const double amplitude = runup.amplitude[k];
     std::vector<Cell>& row = table.rows.emplace_back(1, amplitude);
     for (const Curve& curve : curves) {
       const Climbed* point = curve.at(amplitude);
-      row.push_back(point ? rounded(point->runup) : curve.rezoned && amplitude < lowest_rezoned ? "" : "tangles");
+      row.push_back(point ? rounded(point->level) : curve.rezoned && amplitude < lowest_rezoned ? "" : "tangles");
     }
-    row.insert(row.end(), {rounded(exact.column("R")[k]), rounded(exact::WallRunup::su_mirie(amplitude))});
+    row.insert(row.end(), {rounded(runup.exact[k]), rounded(exact::WallRunup::su_mirie(amplitude))});
   }
 }
 
-void draw(const std::vector<Curve>& curves, const io::Table& exact, const io::Table& exact_loads,
-          evidence::Exhibit& exhibit) {
-  const std::vector<double> fine = evenly(0.05, 0.6, 56);
-  std::vector<double> series = each(fine, [&](const double a) { return exact::WallRunup::su_mirie(a); });
-  const auto curves_on = [&](evidence::Panel& panel, double Climbed::*member) {
-    for (std::size_t k = 0; k < curves.size(); ++k) {
-      const Role role = k + 1 == curves.size() ? Role::computed : Role::peer;
-      panel.points(curves[k].name(), curves[k].column(&Climbed::amplitude), curves[k].column(member), role);
+void draw(const std::vector<Curve>& curves, const std::vector<Known>& maxima, evidence::Exhibit& exhibit) {
+  const auto points_on = [&](evidence::Panel& panel, const Known& one, bool over_height = false) -> evidence::Panel& {
+    const auto points = [&](const std::string& name, const std::vector<double>& amplitude,
+                            const std::vector<double>& value, Role role) {
+      panel.points(name, amplitude, over_height ? quotients(value, amplitude) : value, role);
+    };
+    points("Euler equations", one.amplitude, one.exact, Role::exact);
+    for (const Curve& curve : curves) {
+      points(curve.name(), each(curve.points, &Climbed::amplitude), each(curve.points, one.of),
+             &curve == &curves.back() ? Role::computed : Role::peer);
     }
+    return panel;
   };
+  const std::vector<double> fine = evenly(0.05, 0.6, 56);
+  const std::vector<double> series = each(fine, [](double a) { return exact::WallRunup::su_mirie(a); });
   auto& runup =
       exhibit.figure("runup", "Maximum run-up on a vertical wall",
                      "Solitary waves on meshes of Frank's model, high ones on a rezoned mesh, exact values of the "
                      "Euler equations, and the series of Su and Mirie; right: relative to the wave height.",
                      {"frank-fig-2"});
-  auto& heights = runup.panel({.x = "A [depth]", .y = "R [depth]"});
-  heights.points("Euler equations", exact.column("a"), exact.column("R"), Role::exact);
-  curves_on(heights, &Climbed::runup);
-  heights.line("2A + A^2/2 + 3A^3/4", fine, series, Role::guide);
-  auto& ratios = runup.panel({.x = "A [depth]", .y = "R/A"});
-  ratios.points("Euler equations", exact.column("a"), quotients(exact.column("R"), exact.column("a")), Role::exact);
-  for (std::size_t k = 0; k < curves.size(); ++k) {
-    const std::vector<double> amplitude = curves[k].column(&Climbed::amplitude);
-    ratios.points(curves[k].name(), amplitude, quotients(curves[k].column(&Climbed::runup), amplitude),
-                  k + 1 == curves.size() ? Role::computed : Role::peer);
-  }
-  ratios.line("2A + A^2/2 + 3A^3/4", fine, quotients(series, fine), Role::guide);
-  const auto loads_on = [&](evidence::Panel& panel, std::size_t load) {
-    panel.points("Euler equations", exact_loads.column("A"), exact_loads.column(compared_loads[load].column),
-                 Role::exact);
-    curves_on(panel, compared_loads[load].member);
-  };
-  const std::vector<double> still_series = each(fine, [&](const double a) { return exact::WallLoad::still_series(a); });
+  points_on(runup.panel({.x = "A [depth]", .y = "R [depth]"}), maxima[0])
+      .line("2A + A^2/2 + 3A^3/4", fine, series, Role::guide);
+  points_on(runup.panel({.x = "A [depth]", .y = "R/A"}), maxima[0], true)
+      .line("2A + A^2/2 + 3A^3/4", fine, quotients(series, fine), Role::guide);
   auto& loads = exhibit.figure("pressure", "Largest pressure on the wall",
                                "At y = 0, taken as the still-water level, and at the bottom, where it is 1 at rest; "
                                "exact values of the Euler equations.",
                                {"frank-fig-3"});
-  auto& still = loads.panel({.x = "A [depth]", .y = "pressure at y = 0 [rho g depth]"});
-  loads_on(still, 0);
-  still.line("R(1 - 3A^2), third order", fine, still_series, Role::guide);
-  loads_on(loads.panel({.x = "A [depth]", .y = "pressure at the bottom [rho g depth]"}), 1);
-  auto& force = exhibit.figure("force", "Largest force on the wall", "Hydrostatic pressure included: 0.5 at rest.");
-  loads_on(force.panel({.x = "A [depth]", .y = "force [rho g depth^2]"}), 2);
+  points_on(loads.panel({.x = "A [depth]", .y = "pressure at y = 0 [rho g depth]"}), maxima[1])
+      .line("R(1 - 3A^2), third order", fine, each(fine, [](double a) { return exact::WallLoad::still_series(a); }),
+            Role::guide);
+  points_on(loads.panel({.x = "A [depth]", .y = "pressure at the bottom [rho g depth]"}), maxima[2]);
+  points_on(add_panel(exhibit, "force", "Largest force on the wall", "Hydrostatic pressure included: 0.5 at rest.",
+                      {.x = "A [depth]", .y = "force [rho g depth^2]"}),
+            maxima[3]);
 }
 
 void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
-  const io::Table exact = values.table("wall_runup_exact");
+  const std::vector<Known> maxima = known_maxima(values);
   std::vector<Curve> shown = r.curves;
   shown.push_back(r.rezoned.back());
-  tabulate(shown, exact, exhibit);
-  draw(shown, exact, values.table("wall_load_exact"), exhibit);
+  tabulate(shown, maxima.front(), exhibit);
+  draw(shown, maxima, exhibit);
 }
 
 void wall_run_up_mesh_figures(Case& c) {
   c.former_names = {"wall_run_up_2d_figures"};
   c.title = "Run-up and pressure on a vertical wall against wave height";
   c.source = literature::frank + ", section 2.2, figures 2 and 3; " + literature::su_mirie;
-  c.parameters = {
-      integer("rows", {8, 16, 16}, {8, 64}, "of the finest mesh; coarser ones have 2, 4, 8, ..."),
-      choice("scheme", "one_step", {"one_step", "one_step_feedback", "conservative"},
-             "time stepping; the first is Frank's"),
-      real("hourglass", 0, "1", {0, 2}, "kappa_0 of the hourglass potential; Frank's model has none"),
-  };
+  c.parameters = joined({{integer("rows", {8, 16, 16}, {8, 64}, "of the finest mesh; coarser ones have 2, 4, 8, ...")},
+                         mesh_method_parameters()});
   c.published = {{.tiles = {"frank-fig-2", "frank-fig-3"}, .stated = {"scheme"}}};
   c.study = Study(claims, compute, show, source);
 }
