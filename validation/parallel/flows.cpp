@@ -1,7 +1,6 @@
 #include "validation/parallel/flows.hpp"
 
 #include <cmath>
-#include <memory>
 #include <numbers>
 #include <stdexcept>
 
@@ -74,43 +73,30 @@ dispersive_shallow_water_2d::Rectangle water(const Options& options) {
       return a * std::exp(-r2 / 16);
     };
   } else {
-    const auto wave = std::make_shared<exact::SerreSolitary>(options.amplitude);
-    rectangle.elevation = [wave](double x, double) { return wave->elevation(x - crest); };
+    rectangle.elevation = [wave = exact::SerreSolitary(options.amplitude)](double x, double) {
+      return wave.elevation(x - crest);
+    };
   }
   return rectangle;
 }
 
 dispersive_shallow_water_2d::VelocityAt velocity(const Options& options) {
   if (options.flow == "hump") return {};
-  const auto wave = std::make_shared<exact::SerreSolitary>(options.amplitude);
-  const double celerity = std::sqrt(1 + options.amplitude);
-  return [wave, celerity](double x, double) {
-    const double eta = wave->elevation(x - crest);
-    const double u = celerity * eta / (1 + eta);
-    return dispersive_shallow_water_2d::Velocity{
-        .u = u, .v = 0, .w = (u - celerity) * wave->elevation_slope(x - crest)};
-  };
+  return
+      [wave = exact::SerreSolitary(options.amplitude), celerity = std::sqrt(1 + options.amplitude)](double x, double) {
+        const double eta = wave.elevation(x - crest);
+        const double u = celerity * eta / (1 + eta);
+        return dispersive_shallow_water_2d::Velocity{u, 0, (u - celerity) * wave.elevation_slope(x - crest)};
+      };
 }
 
 lagrangian_mesh_3d::Layer layered_water(const Options& options) {
-  const dispersive_shallow_water_2d::Rectangle seen_from_above = water(options);
-  return {.begin = seen_from_above.begin,
-          .end = seen_from_above.end,
-          .south = seen_from_above.south,
-          .north = seen_from_above.north,
-          .columns = seen_from_above.columns,
-          .rows = seen_from_above.rows,
-          .layers = options.layers,
-          .elevation = seen_from_above.elevation};
+  return validation::layers_of(water(options), options.layers);
 }
 
 lagrangian_mesh_3d::VelocityAt layered_velocity(const Options& options) {
-  const dispersive_shallow_water_2d::VelocityAt of_columns = velocity(options);
-  if (!of_columns) return {};
-  return [of_columns, surface = water(options).elevation](plan_lattice::Place at) {
-    const auto top = of_columns(at.x, at.y);
-    return lagrangian_mesh_3d::Vector{top.u, top.v, (1 + at.z) / (1 + surface(at.x, at.y)) * top.w};
-  };
+  if (options.flow == "hump") return {};
+  return validation::layered(velocity(options), water(options));
 }
 
 validation::ObliqueWave oblique_wave(const Options& options) {
