@@ -37,7 +37,6 @@ struct Contender {
   std::vector<long> resolutions;  ///< coarse to fine
   std::function<double(long)> size;
   std::function<Racer(long)> start;
-  bool may_refuse = false;  ///< std::invalid_argument at the start is the result that it cannot compute the problem
 };
 
 struct Trial {
@@ -100,8 +99,6 @@ class Contest {
 
 /// Throws std::invalid_argument where the models are compared later than they are followed.
 Contest contest(const Run& run, const std::vector<Contender>& contenders, const Trial& trial);
-/// One racer on its way, as contest() follows it.
-Attempt attempt(const std::function<Racer()>& start, const Trial& trial, bool may_refuse = false);
 
 /// Resolutions up to the finest, in parts of it.
 std::vector<long> ladder_to(long finest, const std::vector<double>& parts);
