@@ -3,24 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include <boost/math/differentiation/finite_difference.hpp>
-
 #include "seiche/require.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/manufactured/difference.hpp"
 
 namespace seiche::validation {
-
-namespace {
-
-constexpr double rounding = exact::epsilon;
-
-/// Derivative by central differences of eighth order.
-template <class Function>
-double derivative(const Function& f, double at) {
-  return boost::math::differentiation::finite_difference_derivative<Function, double, 8>(f, at);
-}
-
-}  // namespace
 
 DoubleShear::DoubleShear(const Parameters& parameters) : parameters_(parameters) {
   require_finite("first_amplitude", parameters.first_amplitude);
@@ -61,7 +48,7 @@ DoubleShear::Sample DoubleShear::at(double label_x, double label_y, double t) co
 }
 
 double DoubleShear::uncertainty() const {
-  return 20 * rounding;
+  return 20 * exact::epsilon;
 }
 
 exact::SelfTest DoubleShear::self_test() const {
@@ -71,13 +58,13 @@ exact::SelfTest DoubleShear::self_test() const {
     for (const double label_y : {-1.0, -0.55, 0.05, 0.4, 0.8}) {
       for (const double t : {0.0, 0.4, 1.1, 2.6}) {
         const auto along_x = [&](double Sample::*value) {
-          return derivative([&](double z) { return at(z, label_y, t).*value; }, label_x);
+          return difference([&](double z) { return at(z, label_y, t).*value; }, label_x);
         };
         const auto along_y = [&](double Sample::*value) {
-          return derivative([&](double z) { return at(label_x, z, t).*value; }, label_y);
+          return difference([&](double z) { return at(label_x, z, t).*value; }, label_y);
         };
         const auto in_time = [&](double Sample::*value) {
-          return derivative([&](double z) { return at(label_x, label_y, z).*value; }, t);
+          return difference([&](double z) { return at(label_x, label_y, z).*value; }, t);
         };
         const Sample here = at(label_x, label_y, t);
         const double x_x = along_x(&Sample::x);
@@ -99,7 +86,7 @@ exact::SelfTest DoubleShear::self_test() const {
   const double shear = 1 + std::abs(e1) * k + std::abs(e2) * l * (1 + std::abs(e1));
   const double steepness = std::pow(std::max({1.0, k, l}), 9);
   const double scale = 1 + std::abs(e1) + std::abs(e2) + std::abs(top_pressure);
-  const double limit = 4 * rounding * 2.1 / 0.037 * scale * shear * shear * steepness;
+  const double limit = 4 * exact::epsilon * 2.1 / 0.037 * scale * shear * shear * steepness;
   const std::string reason =
       "values rounded four times over the spacing 0.037 of eighth-order differences, whose truncation is as large: the "
       "ninth power of the wavenumbers";

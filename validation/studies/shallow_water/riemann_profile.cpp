@@ -92,11 +92,7 @@ ProfilePoints by_rusanov(const exact::Riemann& solution, double time, double sta
     }
   }
   ProfilePoints points;
-  for (std::size_t i = beyond; i < beyond + inside; ++i) {
-    points.x.push_back(centre(i));
-    points.depth.push_back(h[i]);
-    points.velocity.push_back(velocity(i));
-  }
+  for (std::size_t i = beyond; i < beyond + inside; ++i) points.add(centre(i), {h[i], velocity(i)});
   return points;
 }
 
