@@ -49,11 +49,8 @@ class VolumeFraction {
   };
   [[nodiscard]] std::vector<Sample> samples_of(const Particles& particles);
   void sort(std::vector<Sample> samples);
-  [[nodiscard]] double weight_at(double distance_squared) const;
   /// Weight of the kernel inside the basin.
   [[nodiscard]] double coverage(double x, double z) const;
-  /// Level between a wet and a dry one where the fraction is 1/2.
-  [[nodiscard]] double crossing(double x, double wet, double dry) const;
 
   double h_;
   Box basin_;

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "seiche/exact/model_waves.hpp"
 #include "seiche/models/lagrangian_mesh_3d/flow.hpp"
 #include "seiche/samples.hpp"
-#include "validation/instruments/straight_line.hpp"
+#include "validation/instruments/oscillation.hpp"
 
 namespace seiche::validation {
 namespace {
@@ -75,8 +74,7 @@ std::span<const double> SolitonTravel::from_then(const std::vector<double>& valu
 }
 
 double SolitonTravel::mean_height() const {
-  const auto heights = from_then(height);
-  return std::accumulate(heights.begin(), heights.end(), 0.0) / static_cast<double>(heights.size());
+  return mean(from_then(height));
 }
 
 dispersive_shallow_water_2d::Flow plan_soliton_flow(const PlanSolitonRun& run) {

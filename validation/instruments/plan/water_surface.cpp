@@ -50,10 +50,8 @@ void WaterSurface::assemble(std::span<const double> volumes, mechanics::Input q)
     push[c1] -= along_second;
     push[c2] += along_first;
     push[c3] += along_second;
-    matrix_[matrix_.own][c0] += 0.25 * area + below * first;
-    matrix_[matrix_.own][c1] += 0.25 * area + below * second;
-    matrix_[matrix_.own][c2] += 0.25 * area + below * first;
-    matrix_[matrix_.own][c3] += 0.25 * area + below * second;
+    for (const std::size_t node : {c0, c2}) matrix_[matrix_.own][node] += 0.25 * area + below * first;
+    for (const std::size_t node : {c1, c3}) matrix_[matrix_.own][node] += 0.25 * area + below * second;
     matrix_[matrix_.up_right][c0] -= below * first;
     matrix_[matrix_.up_left][c1] -= below * second;
     matrix_[matrix_.right][c0] += below * both;
