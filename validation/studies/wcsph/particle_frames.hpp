@@ -10,7 +10,7 @@
 namespace seiche::validation {
 
 inline void add_particles(evidence::Exhibit& exhibit, double time, const wcsph::Particles& particles,
-                   const wcsph::Settings& settings) {
+                          const wcsph::Settings& settings) {
   const wcsph::TaitFluid fluid(settings.density, settings.sound_speed);
   const auto number = [](auto of) { return static_cast<double>(of); };
   exhibit.snapshot(
