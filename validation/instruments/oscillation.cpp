@@ -10,11 +10,8 @@
 #include "validation/instruments/peak.hpp"
 
 namespace seiche::validation {
-namespace {
 
 constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
-
-}  // namespace
 
 std::vector<CurveCrest> crests_above(double threshold, std::span<const double> x, std::span<const double> y) {
   std::vector<CurveCrest> crests;

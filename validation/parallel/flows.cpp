@@ -11,11 +11,7 @@
 
 namespace seiche::parallel {
 
-namespace {
-
 constexpr double crest = 15;  // of the solitary wave at the beginning, in depths from the west wall
-
-}  // namespace
 
 void add_options(CLI::App& app, Options& options) {
   app.add_option(
@@ -158,6 +154,16 @@ evidence::Record begun(const Options& options) {
 
 namespace {
 
+/// @param change  over the first energy
+void judge_energy(evidence::Record& record, const std::string& text, const std::string& quantity,
+                  const evidence::Measurement& change, double limit, const std::string& reason) {
+  record.check({.id = "energy",
+                .text = text,
+                .quantity = quantity + " of energy over its first value",
+                .source = "Frank, Discrete models of incompressible fluid (1994), chapter 1"},
+               change, evidence::Bound{.limit = limit, .reason = reason});
+}
+
 /// k of the solitary wave a sech^2(k s), times the depth.
 double wave_number(const Options& options) {
   return std::sqrt(3 * options.amplitude / (4 * (1 + options.amplitude)));
@@ -202,15 +208,12 @@ void judge_island(evidence::Record& record, const Options& options, const Findin
                   const std::string& resolution) {
   const double coarse = std::pow(wave_number(options) * options.spacing, 2);
   constexpr double cotangent = 1 / validation::ConicalIsland::slope;
-  record.check(
-      {.id = "energy",
-       .text = "The energy with friction rises by at most the oscillation of the one-step scheme, (omega tau)^2/4.",
-       .quantity = "largest rise of energy over its first value",
-       .source = "Frank, Discrete models of incompressible fluid (1994), chapter 1"},
-      {.value = findings.energy_rise / findings.energy, .resolution = resolution},
-      evidence::Bound{.limit = 3 * options.step * options.step / 4,
-                      .reason = "(omega tau)^2/4, twice an oscillator's amplitude of energy under drift, kick, drift, "
-                                "at the highest frequency sqrt(3 g/depth)"});
+  judge_energy(record,
+               "The energy with friction rises by at most the oscillation of the one-step scheme, (omega tau)^2/4.",
+               "largest rise", {.value = findings.energy_rise / findings.energy, .resolution = resolution},
+               3 * options.step * options.step / 4,
+               "(omega tau)^2/4, twice an oscillator's amplitude of energy under drift, kick, drift, at the highest "
+               "frequency sqrt(3 g/depth)");
   record.check(
       {.id = "run-up",
        .text = "The maximum run-up on the island is at most Synolakis' run-up on a plane beach of its slope.",
@@ -244,30 +247,23 @@ void judge(evidence::Record& record, const Options& options, const Findings& fin
     judge_island(record, options, findings, resolution);
     return;
   }
+  const evidence::Measurement change{.value = findings.energy_change / findings.energy, .resolution = resolution};
   if (options.scheme == "conservative") {
-    record.check(
-        {.id = "energy",
-         .text = "The energy in the conservative scheme changes by at most 1e-11 per step, at which its sweeps end.",
-         .quantity = "largest change of energy over its first value",
-         .source = "Frank, Discrete models of incompressible fluid (1994), chapter 1"},
-        {.value = findings.energy_change / findings.energy, .resolution = resolution},
-        evidence::Bound{.limit = 1e-11 * static_cast<double>(findings.steps),
-                        .reason = "sweeps end when velocities change by less than 1e-11 of the largest"});
+    judge_energy(record,
+                 "The energy in the conservative scheme changes by at most 1e-11 per step, at which its sweeps end.",
+                 "largest change", change, 1e-11 * static_cast<double>(findings.steps),
+                 "sweeps end when velocities change by less than 1e-11 of the largest");
     return;
   }
   // Squares of the models' frequencies are below 3 for columns (alpha = 1/3, unit depth and gravity), below 2 over the
   // height of a layer for hexahedra.
   const double fastest = options.layers > 0 ? 2 * static_cast<double>(options.layers) : 3;
-  record.check(
-      {.id = "energy",
-       .text = "The energy change is within the oscillation of the one-step scheme, (omega tau)^2/4.",
-       .quantity = "largest change of energy over its first value",
-       .source = "Frank, Discrete models of incompressible fluid (1994), chapter 1"},
-      {.value = findings.energy_change / findings.energy, .resolution = resolution},
-      evidence::Bound{.limit = fastest * options.step * options.step / 4,
-                      .reason = fmt::format("(omega tau)^2/4, twice an oscillator's amplitude of energy under drift, "
-                                            "kick, drift, at the highest frequency sqrt({:g} g/depth)",
-                                            fastest)});
+  judge_energy(
+      record, "The energy change is within the oscillation of the one-step scheme, (omega tau)^2/4.", "largest change",
+      change, fastest * options.step * options.step / 4,
+      fmt::format("(omega tau)^2/4, twice an oscillator's amplitude of energy under drift, kick, drift, at the "
+                  "highest frequency sqrt({:g} g/depth)",
+                  fastest));
 }
 
 }  // namespace seiche::parallel

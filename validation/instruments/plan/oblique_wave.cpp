@@ -58,25 +58,6 @@ double reflected_angle(const ObliqueWave& wave) {
   return std::max(wave.angle(), std::asin((std::sqrt(1 + 4 * s * s) - 1) / (2 * s)));
 }
 
-}  // namespace
-
-ReflectionWindow window_until(double time, const ObliqueWave& wave, double spacing) {
-  constexpr double longest = 30;
-  constexpr double shortest = 17;
-  const double unit = wave.width_unit();
-  const double slope = std::tan(reflected_angle(wave));
-  const double leaving = 36 * slope - 10;
-  const bool steep = leaving >= shortest;
-  const double beyond = steep ? 36 : 46;
-  const double path = wave.crest_at(0, time) - wave.crest_at(0, 0);
-  ReflectionWindow window{.spacing = spacing, .height = path * steepest_stem(wave) + beyond * unit, .rear = 0};
-  const double past_corner = std::min(window.height / unit * slope + 6, 2 * beyond * slope - 8);
-  window.rear = unit * (steep ? std::min(leaving, longest) : std::max(past_corner, shortest));
-  return window;
-}
-
-namespace {
-
 /// The smallest number from `cells` on without prime factors but 2, 3, 5 and 7: others make Fourier transforms slow.
 std::size_t fast_from(std::size_t cells) {
   for (;; ++cells) {
@@ -100,6 +81,21 @@ std::size_t cells(double length, double spacing) {
 }
 
 }  // namespace
+
+ReflectionWindow window_until(double time, const ObliqueWave& wave, double spacing) {
+  constexpr double longest = 30;
+  constexpr double shortest = 17;
+  const double unit = wave.width_unit();
+  const double slope = std::tan(reflected_angle(wave));
+  const double leaving = 36 * slope - 10;
+  const bool steep = leaving >= shortest;
+  const double beyond = steep ? 36 : 46;
+  const double path = wave.crest_at(0, time) - wave.crest_at(0, 0);
+  ReflectionWindow window{.spacing = spacing, .height = path * steepest_stem(wave) + beyond * unit, .rear = 0};
+  const double past_corner = std::min(window.height / unit * slope + 6, 2 * beyond * slope - 8);
+  window.rear = unit * (steep ? std::min(leaving, longest) : std::max(past_corner, shortest));
+  return window;
+}
 
 PlanReflection plan_reflection(const ObliqueWave& wave, const ReflectionWindow& window) {
   require_positive("spacing", window.spacing);
