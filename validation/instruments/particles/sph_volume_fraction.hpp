@@ -39,9 +39,6 @@ class VolumeFraction {
 
   /// Of the places of the fluid particles.
   [[nodiscard]] const Box& extents() const { return extents_; }
-  [[nodiscard]] const Box& basin() const { return basin_; }
-  [[nodiscard]] const Period& period() const { return period_; }
-  [[nodiscard]] double smoothing_length() const { return h_; }
 
  private:
   struct Sample {

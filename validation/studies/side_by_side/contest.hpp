@@ -85,7 +85,6 @@ class Contest {
   Contest(std::vector<Entry> entries, Trial trial) : entries_(std::move(entries)), trial_(std::move(trial)) {}
 
   [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
-  [[nodiscard]] const Trial& trial() const { return trial_; }
   /// Throws std::logic_error for a name that no entry has.
   [[nodiscard]] const Entry& of(const std::string& id) const;
 
