@@ -45,13 +45,12 @@ particles::Particles initial_particles(const FlowProblem& problem, const Discret
 }
 
 particles::Scheme particle_scheme(const Discretisation& d) {
-  particles::Scheme scheme;
-  scheme.level = d.scheme == "G1"   ? particles::Level::godunov
-                 : d.scheme == "M2" ? particles::Level::muscl
-                                    : particles::Level::hand_over;
-  scheme.theta = d.theta;
-  scheme.courant = d.courant;
-  return scheme;
+  using enum particles::Level;
+  return {.level = d.scheme == "G1"   ? godunov
+                   : d.scheme == "M2" ? muscl
+                                      : hand_over,
+          .theta = d.theta,
+          .courant = d.courant};
 }
 
 particles::End particle_end(FlowProblem::End kind, State at_start) {
