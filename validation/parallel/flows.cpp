@@ -14,35 +14,27 @@ namespace seiche::parallel {
 constexpr double crest = 15;  // of the solitary wave at the beginning, in depths from the west wall
 
 void add_options(CLI::App& app, Options& options) {
-  app.add_option(
-         "flow", options.flow,
+  const auto option = [&](const char* name, auto& value, const char* meaning) {
+    return app.add_option(name, value, meaning)->capture_default_str();
+  };
+  option("flow", options.flow,
          "hump: of water at rest in the middle of a box; soliton: a solitary wave that runs along x; reflection: "
          "one that meets a wall at an angle, in a window that follows it; island: one around a conical island, "
          "with its shoreline, without breaking")
-      ->check(CLI::IsMember({"hump", "soliton", "reflection", "island"}))
-      ->capture_default_str();
-  app.add_option("--columns", options.columns, "of cells, of hump and soliton")
-      ->check(CLI::Range(2, 1000000))
-      ->capture_default_str();
-  app.add_option("--rows", options.rows, "of cells, of hump and soliton")
-      ->check(CLI::Range(1, 1000000))
-      ->capture_default_str();
-  app.add_option("--layers", options.layers, "of hexahedra; 0: the 2DH model")
-      ->check(CLI::Range(0, 100))
-      ->capture_default_str();
-  app.add_option("--spacing", options.spacing, "of the grid [h]")->capture_default_str();
-  app.add_option("--angle", options.angle, "of a reflected wave [degrees]")
-      ->check(CLI::Range(0.0, 75.0))
-      ->capture_default_str();
-  app.add_option("--amplitude", options.amplitude, "[depths]")->capture_default_str();
-  app.add_option("--time", options.time, "[sqrt(depth/g)]")->capture_default_str();
-  app.add_option("--step", options.step, "[sqrt(depth/g)]")->capture_default_str();
-  app.add_option("--every", options.every, "time between files; 0: one at the end")->capture_default_str();
-  app.add_option("--tolerance", options.tolerance, "relative residual of the solver")->capture_default_str();
-  app.add_option("--scheme", options.scheme, "one_step, or conservative: energy exact, several solutions a step")
-      ->check(CLI::IsMember({"one_step", "conservative"}))
-      ->capture_default_str();
-  app.add_option("--out", options.out, "folder for fields_*.h5 and the record")->capture_default_str();
+      ->check(CLI::IsMember({"hump", "soliton", "reflection", "island"}));
+  option("--columns", options.columns, "of cells, of hump and soliton")->check(CLI::Range(2, 1000000));
+  option("--rows", options.rows, "of cells, of hump and soliton")->check(CLI::Range(1, 1000000));
+  option("--layers", options.layers, "of hexahedra; 0: the 2DH model")->check(CLI::Range(0, 100));
+  option("--spacing", options.spacing, "of the grid [h]");
+  option("--angle", options.angle, "of a reflected wave [degrees]")->check(CLI::Range(0.0, 75.0));
+  option("--amplitude", options.amplitude, "[depths]");
+  option("--time", options.time, "[sqrt(depth/g)]");
+  option("--step", options.step, "[sqrt(depth/g)]");
+  option("--every", options.every, "time between files; 0: one at the end");
+  option("--tolerance", options.tolerance, "relative residual of the solver");
+  option("--scheme", options.scheme, "one_step, or conservative: energy exact, several solutions a step")
+      ->check(CLI::IsMember({"one_step", "conservative"}));
+  option("--out", options.out, "folder for fields_*.h5 and the record");
 }
 
 namespace {
