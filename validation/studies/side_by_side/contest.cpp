@@ -33,11 +33,11 @@ std::string cause_of(const Divergence& divergence) {
 }
 
 /// One racer on its way.
-Attempt attempt(const std::function<Racer(long)>& start, long resolution, const Trial& trial) {
+Attempt attempt(const Contender& contender, long resolution, const Trial& trial) {
   Attempt result{.error = nan, .uncertainty = nan, .energy = nan, .momentum = nan, .asked = trial.last};
   double began = processor_seconds();
   try {
-    const Racer racer = start(resolution);
+    const Racer racer = contender.start(resolution);
     result.seconds = processor_seconds() - began;
     const Sight first = racer.look();
     const double interval = trial.last / static_cast<double>(trial.looks);
@@ -69,6 +69,9 @@ Attempt attempt(const std::function<Racer(long)>& start, long resolution, const 
       result.lasted = divergence.time();
       result.cause = cause_of(divergence);
     }
+  } catch (const std::invalid_argument& refusal) {
+    if (!contender.may_refuse) throw;
+    result.cause = fmt::format("cannot start: {}", refusal.what());
   }
   return result;
 }
@@ -99,7 +102,7 @@ Contest contest(const Run& run, const std::vector<Contender>& contenders, const 
     Entry& entry = entries.emplace_back(Entry{one.id, one.name, one.size_of, one.role, {}});
     for (const long n : one.resolutions) {
       work.emplace_back([&entry, &one, &trial, n] {
-        entry.attempts.push_back(attempt(one.start, n, trial));
+        entry.attempts.push_back(attempt(one, n, trial));
         entry.attempts.back().size = one.size(n);
       });
     }

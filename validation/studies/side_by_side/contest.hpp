@@ -37,6 +37,7 @@ struct Contender {
   std::vector<long> resolutions;  ///< coarse to fine
   std::function<double(long)> size;
   std::function<Racer(long)> start;
+  bool may_refuse = false;  ///< std::invalid_argument at the start is the result that it cannot compute the problem
 };
 
 struct Trial {
