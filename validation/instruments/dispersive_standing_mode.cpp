@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <vector>
 
 namespace seiche::validation {
@@ -36,10 +37,7 @@ Oscillation oscillation(const StandingBox& box, const Markers& start, double per
   std::vector<double> samples;
   for (long n = 0; n <= steps; ++n) {
     if (n > 0) flow.advance(box.tau);
-    const std::span<const double> y = flow.y();
-    double sum = 0;
-    for (std::size_t i = 0; i < shape.size(); ++i) sum += shape[i] * y[i];
-    samples.push_back(sum);
+    samples.push_back(std::inner_product(shape.begin(), shape.end(), flow.y().begin(), 0.0));
   }
   return fit_oscillation(samples, box.tau, harmonics);
 }

@@ -6,14 +6,12 @@
 #include <numeric>
 
 #include "seiche/samples.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/instruments/peak.hpp"
 
 namespace seiche::validation {
-namespace {
 
 constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
-
-}  // namespace
 
 std::vector<CurveCrest> crests_above(double threshold, std::span<const double> x, std::span<const double> y) {
   std::vector<CurveCrest> crests;
@@ -53,10 +51,9 @@ Period period_of(std::span<const double> samples, double interval) {
     likeness.push_back(c);
   }
   const std::vector<CurveCrest> peaks = crests_above(0, lag, likeness);
-  Largest highest;
-  for (const CurveCrest& peak : peaks) highest.add(peak.height);
-  const auto first = std::find_if(peaks.begin(), peaks.end(),
-                                  [&](const CurveCrest& peak) { return peak.height >= 0.9 * highest.value(); });
+  const double highest = largest(each(peaks, &CurveCrest::height));
+  const auto first = std::ranges::find_if(
+      peaks, [&](double height) { return height >= 0.9 * highest; }, &CurveCrest::height);
   if (first == peaks.end()) return {no_value, no_value};
   return {first->place, first->height};
 }
@@ -83,9 +80,7 @@ std::vector<double> distances(std::span<const CurveCrest> crests) {
 double relative_spread(std::span<const double> values) {
   if (values.size() < 2) return no_value;
   const double middle = mean(values);
-  Worst deviation;
-  for (const double value : values) deviation.add(value - middle);
-  return deviation.value() / std::abs(middle);
+  return over<Worst>(values, [&](double value) { return value - middle; }).value() / std::abs(middle);
 }
 
 }  // namespace seiche::validation

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "seiche/samples.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/instruments/straight_line.hpp"
 
 namespace seiche::validation {
@@ -40,14 +42,11 @@ ShiftedFront shifted_front(Curve computed, Curve measured, double farthest, Shif
                     used.size(), farthest, latest));
   }
   const auto rms = [&](double shift) {
-    double sum = 0;
-    for (const std::size_t i : used) sum += std::pow(front_at(computed, measured.x[i] - shift) - measured.y[i], 2);
-    return std::sqrt(sum / static_cast<double>(used.size()));
+    const auto off = [&](std::size_t i) { return front_at(computed, measured.x[i] - shift) - measured.y[i]; };
+    return over<Mean>(used, off).rms();
   };
-  ShiftedFront result{.points = used.size(), .raw_rms = rms(0)};
-  for (const std::size_t i : used) {
-    result.raw_off.push_back(front_at(computed, measured.x[i]) / measured.y[i] - 1);
-  }
+  const auto part_off = [&](std::size_t i) { return front_at(computed, measured.x[i]) / measured.y[i] - 1; };
+  ShiftedFront result{.points = used.size(), .raw_rms = rms(0), .raw_off = each(used, part_off)};
   // A grid first: the rms may have several minima where the front is jagged.
   constexpr int grid = 200;
   double step = (range.highest - range.lowest) / grid;

@@ -13,9 +13,7 @@
 
 namespace seiche::dispersive_shallow_water_1d {
 
-namespace {
 constexpr std::size_t finer = 4;  // samples of F for one of the record
-}
 
 double surface_of_wave(double gamma, double kh) {
   const double s = gamma * kh * kh;

@@ -22,9 +22,7 @@ high-order methods are far cheaper than either.
 */
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <numeric>
-#include <optional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -46,13 +44,15 @@ namespace seiche::validation::cases::one_step_scheme {
 
 using mechanics::AdaptiveMethod;
 using mechanics::Integrator;
+using mechanics::State;
+using rigid_chain::RigidChain;
 
 // What an integrator costs and how exact it is on chains of rigid links.
 
 /// A chain and the state it starts from.
 struct ChainProblem {
-  rigid_chain::RigidChain chain;
-  mechanics::State start;
+  RigidChain chain;
+  State start;
 };
 
 /// One entry per refinement.
@@ -62,9 +62,6 @@ struct WorkPrecision {
   std::vector<double> solves;  ///< with A = J M^-1 J^T
   std::vector<double> cpu;     ///< s, shortest mean of five batches of runs that fill 3 ms
 };
-
-using mechanics::State;
-using rigid_chain::RigidChain;
 
 /// Largest difference of a coordinate.
 double distance(const State& a, const State& b) {
@@ -102,33 +99,6 @@ State adaptive_state(const ChainProblem& problem, double time, double tolerance)
   return state;
 }
 
-/// Steps of constant length, `steps` of them.
-WorkPrecision work_and_precision(const ChainProblem& problem, mechanics::Integrator integrator,
-                                 const std::vector<long>& steps, double time, const State& truth) {
-  WorkPrecision result;
-  for (const long count : steps) {
-    const double tau = time / static_cast<double>(count);
-    result.tau.push_back(tau);
-    measure(result, problem, truth, [&](RigidChain& chain, State& state) {
-      const mechanics::StepFunction step = make_integrator(integrator, chain);
-      for (long n = 0; n < count; ++n) step(state, tau);
-    });
-  }
-  return result;
-}
-
-/// The adaptive methods, one entry per tolerance; tau stays empty.
-WorkPrecision work_and_precision(const ChainProblem& problem, mechanics::AdaptiveMethod method,
-                                 const std::vector<double>& tolerances, double time, const State& truth) {
-  WorkPrecision result;
-  for (const double tolerance : tolerances) {
-    measure(result, problem, truth, [&](RigidChain& chain, State& state) {
-      mechanics::integrate_adaptive(method, chain, state, time, tolerance);
-    });
-  }
-  return result;
-}
-
 /// Error that the method would have for so many solves: a straight line between its points in logarithms.
 double error_at(const WorkPrecision& curve, double solves) {
   std::size_t right = 1;
@@ -140,16 +110,11 @@ double error_at(const WorkPrecision& curve, double solves) {
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), section 1.2";
 
-Role role_of(Integrator integrator) {
-  const bool ours = keeps_energy(integrator);
-  return ours ? Role::computed : Role::peer;
-}
-
 ChainProblem pendulum(const Values& values) {
-  rigid_chain::RigidChain chain({.masses = rigid_chain::alternating_masses(values.count("links")),
-                                 .pinned = true,
-                                 .gravity = values.real("gravity")});
-  mechanics::State start = spiral_start(chain);
+  RigidChain chain({.masses = rigid_chain::alternating_masses(values.count("links")),
+                    .pinned = true,
+                    .gravity = values.real("gravity")});
+  State start = spiral_start(chain);
   return {std::move(chain), std::move(start)};
 }
 
@@ -160,15 +125,10 @@ Integrator judged(const Values& values) {
 
 struct Curves {
   std::vector<long> steps;
-  std::vector<std::pair<Integrator, WorkPrecision>> fixed;
-  std::vector<std::pair<std::string, WorkPrecision>> adaptive;
-  double uncertainty = 0;    ///< of the state they are compared with
+  std::map<Integrator, WorkPrecision> fixed;
+  std::vector<std::pair<std::string, WorkPrecision>> adaptive;  ///< tau stays empty
+  double uncertainty = 0;                                       ///< of the state they are compared with
   WorkPrecision projection;  ///< Frank's projection scheme (21), with steps of the parameter tau
-
-  [[nodiscard]] const WorkPrecision& of(Integrator integrator) const {
-    return std::find_if(fixed.begin(), fixed.end(), [&](const auto& entry) { return entry.first == integrator; })
-        ->second;
-  }
 };
 constexpr std::size_t middle = 3;  // the refinement whose step is the parameter tau
 
@@ -185,7 +145,7 @@ Curves compute(const Run& run) {
   const double time = run.real("time");
   Curves curves;
   curves.steps = refined_steps(run);
-  const mechanics::State truth = adaptive_state(problem, time, 1e-14);
+  const State truth = adaptive_state(problem, time, 1e-14);
   // The error is proportional to the tolerance: a ninth of the difference, times a factor of safety of three.
   curves.uncertainty = distance(truth, adaptive_state(problem, time, 1e-13)) / 3;
   measure(curves.projection, problem, truth, [&](RigidChain& chain, State& state) {
@@ -194,30 +154,44 @@ Curves compute(const Run& run) {
     for (long n = 0; n < steps; ++n) scheme.step(state, time / static_cast<double>(steps));
   });
   for (const Integrator integrator : mechanics::all_integrators) {
-    curves.fixed.emplace_back(integrator, work_and_precision(problem, integrator, curves.steps, time, truth));
+    WorkPrecision& own = curves.fixed[integrator];
+    for (const long count : curves.steps) {
+      const double tau = own.tau.emplace_back(time / static_cast<double>(count));
+      measure(own, problem, truth, [&](RigidChain& chain, State& state) {
+        const mechanics::StepFunction step = make_integrator(integrator, chain);
+        for (long n = 0; n < count; ++n) step(state, tau);
+      });
+    }
   }
-  const std::vector<double> tolerances = {1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10};
-  curves.adaptive.emplace_back("Dormand-Prince 5",
-                               work_and_precision(problem, AdaptiveMethod::dormand_prince_5, tolerances, time, truth));
-  curves.adaptive.emplace_back("Fehlberg 7(8)",
-                               work_and_precision(problem, AdaptiveMethod::fehlberg_78, tolerances, time, truth));
+  for (const auto& [label, method] : {std::pair("Dormand-Prince 5", AdaptiveMethod::dormand_prince_5),
+                                      std::pair("Fehlberg 7(8)", AdaptiveMethod::fehlberg_78)}) {
+    WorkPrecision& own = curves.adaptive.emplace_back(label, WorkPrecision{}).second;
+    for (const double tolerance : {1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10}) {
+      measure(own, problem, truth, [&, method = method](RigidChain& chain, State& state) {
+        mechanics::integrate_adaptive(method, chain, state, time, tolerance);
+      });
+    }
+  }
   return curves;
 }
 
 /// What Frank says of his scheme, and of no other.
 void claim_half_the_cost(const Claims<Curves>& claims, const std::string& range) {
-  const auto largest_ratio = [](const Curves& curves, auto rk2_error) {
-    const WorkPrecision& own = curves.of(Integrator::one_step);
-    const auto ratio = [&](std::size_t i) {
-      return own.error[i] / rk2_error(curves.of(Integrator::runge_kutta_2), own, i);
+  // The largest ratio over the refinements k of the scheme.
+  const auto largest_ratio = [](auto rk2_error) {
+    return [rk2_error](const Curves& curves) {
+      const WorkPrecision& own = curves.fixed.at(Integrator::one_step);
+      const WorkPrecision& rk2 = curves.fixed.at(Integrator::runge_kutta_2);
+      const auto ratio = [&](std::size_t k) { return own.error[k] / rk2_error(rk2, own.solves[k], k); };
+      return over<Largest>(indices(own.error.size()), ratio).value();
     };
-    return over<Largest>(indices(own.error.size()), ratio).value();
   };
   claims.at("equal steps")
       .check(
           "cost", "The number of solves per step is half the number for RK2.", "solves of the scheme / solves of RK2",
           [](const Curves& curves) {
-            return curves.of(Integrator::one_step).solves[middle] / curves.of(Integrator::runge_kutta_2).solves[middle];
+            return curves.fixed.at(Integrator::one_step).solves[middle] /
+                   curves.fixed.at(Integrator::runge_kutta_2).solves[middle];
           },
           Bound{.limit = 0, .reason = "one solve per step against two", .expected = 0.5});
   claims.at("equal steps")
@@ -226,24 +200,17 @@ void claim_half_the_cost(const Claims<Curves>& claims, const std::string& range)
           "cost-of-projection", "The number of solves per step equals the projection scheme (21), which loses energy.",
           "solves of the scheme / solves of the projection scheme",
           [](const Curves& curves) {
-            return curves.of(Integrator::one_step).solves[middle] / curves.projection.solves.front();
+            return curves.fixed.at(Integrator::one_step).solves[middle] / curves.projection.solves.front();
           },
           Bound{.limit = 0, .reason = "one solve per step in both", .expected = 1});
-  claims.at(range).check(
-      "accuracy", "The error at equal steps is smaller than RK2's.", "largest error ratio, scheme / RK2",
-      [largest_ratio](const Curves& curves) {
-        return largest_ratio(
-            curves, [](const WorkPrecision& rk2, const WorkPrecision&, std::size_t i) { return rk2.error[i]; });
-      },
-      Bound{1, "better means a ratio below 1"});
+  claims.at(range).check("accuracy", "The error at equal steps is smaller than RK2's.",
+                         "largest error ratio, scheme / RK2",
+                         largest_ratio([](const WorkPrecision& rk2, double, std::size_t k) { return rk2.error[k]; }),
+                         Bound{1, "better means a ratio below 1"});
   claims.at(range).check(
       "accuracy-at-equal-cost", "The error at equal numbers of solves is smaller than RK2's.",
       "largest error ratio, scheme / RK2",
-      [largest_ratio](const Curves& curves) {
-        return largest_ratio(curves, [](const WorkPrecision& rk2, const WorkPrecision& own, std::size_t i) {
-          return error_at(rk2, own.solves[i]);
-        });
-      },
+      largest_ratio([](const WorkPrecision& rk2, double solves, std::size_t) { return error_at(rk2, solves); }),
       Bound{1, "better means a ratio below 1"});
 }
 
@@ -257,14 +224,18 @@ void claims(const Values& values, const Claims<Curves>& claims) {
       "order", fmt::format("The largest coordinate error converges at order {}.", order(scheme)),
       "order of the largest coordinate error",
       [scheme](const Curves& curves) {
-        const WorkPrecision& own = curves.of(scheme);
+        const WorkPrecision& own = curves.fixed.at(scheme);
         return evidence::observed_order(own.tau, own.error, 10 * curves.uncertainty);
       },
       Order{fourth ? 4.0 : 2.0, fourth ? 0.2 : 0.1,
             "smooth motion; errors below ten times the reference error are excluded"});
 }
 
-void draw_curves(evidence::Exhibit& exhibit, const Curves& curves) {
+void show(const Curves& curves, const Values& values, evidence::Exhibit& exhibit) {
+  const WorkPrecision& own = curves.fixed.at(judged(values));
+  exhibit.measure("reference_uncertainty", curves.uncertainty);
+  exhibit.measure("cpu_time_of_rk2_over_own", curves.fixed.at(Integrator::runge_kutta_2).cpu.back() / own.cpu.back());
+  exhibit.measure("cpu_time_of_projection_over_own", curves.projection.cpu.front() / own.cpu[middle]);
   auto& figure = exhibit.figure("frank_integrator", "Half the cost of RK2, better accuracy",
                                 "Largest coordinate error against the number of solves, and against processor time.",
                                 {"frank-integrator"});
@@ -275,18 +246,9 @@ void draw_curves(evidence::Exhibit& exhibit, const Curves& curves) {
     by_time.line(label, curve.cpu, curve.error, role);
   };
   for (const auto& [integrator, curve] : curves.fixed) {
-    draw(std::string(title(integrator)), curve, role_of(integrator));
+    draw(std::string(title(integrator)), curve, keeps_energy(integrator) ? Role::computed : Role::peer);
   }
   for (const auto& [label, curve] : curves.adaptive) draw(label + ", adaptive", curve, Role::peer);
-}
-
-void show(const Curves& curves, const Values& values, evidence::Exhibit& exhibit) {
-  exhibit.measure("reference_uncertainty", curves.uncertainty);
-  exhibit.measure("cpu_time_of_rk2_over_own",
-                  curves.of(Integrator::runge_kutta_2).cpu.back() / curves.of(judged(values)).cpu.back());
-  exhibit.measure("cpu_time_of_projection_over_own",
-                  curves.projection.cpu.front() / curves.of(judged(values)).cpu[middle]);
-  draw_curves(exhibit, curves);
 }
 
 void one_step_scheme(Case& c) {

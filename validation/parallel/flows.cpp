@@ -1,7 +1,6 @@
 #include "validation/parallel/flows.hpp"
 
 #include <cmath>
-#include <memory>
 #include <numbers>
 #include <stdexcept>
 
@@ -12,42 +11,30 @@
 
 namespace seiche::parallel {
 
-namespace {
-
 constexpr double crest = 15;  // of the solitary wave at the beginning, in depths from the west wall
 
-}  // namespace
-
 void add_options(CLI::App& app, Options& options) {
-  app.add_option(
-         "flow", options.flow,
+  const auto option = [&](const char* name, auto& value, const char* meaning) {
+    return app.add_option(name, value, meaning)->capture_default_str();
+  };
+  option("flow", options.flow,
          "hump: of water at rest in the middle of a box; soliton: a solitary wave that runs along x; reflection: "
          "one that meets a wall at an angle, in a window that follows it; island: one around a conical island, "
          "with its shoreline, without breaking")
-      ->check(CLI::IsMember({"hump", "soliton", "reflection", "island"}))
-      ->capture_default_str();
-  app.add_option("--columns", options.columns, "of cells, of hump and soliton")
-      ->check(CLI::Range(2, 1000000))
-      ->capture_default_str();
-  app.add_option("--rows", options.rows, "of cells, of hump and soliton")
-      ->check(CLI::Range(1, 1000000))
-      ->capture_default_str();
-  app.add_option("--layers", options.layers, "of hexahedra; 0: the 2DH model")
-      ->check(CLI::Range(0, 100))
-      ->capture_default_str();
-  app.add_option("--spacing", options.spacing, "of the grid [h]")->capture_default_str();
-  app.add_option("--angle", options.angle, "of a reflected wave [degrees]")
-      ->check(CLI::Range(0.0, 75.0))
-      ->capture_default_str();
-  app.add_option("--amplitude", options.amplitude, "[depths]")->capture_default_str();
-  app.add_option("--time", options.time, "[sqrt(depth/g)]")->capture_default_str();
-  app.add_option("--step", options.step, "[sqrt(depth/g)]")->capture_default_str();
-  app.add_option("--every", options.every, "time between files; 0: one at the end")->capture_default_str();
-  app.add_option("--tolerance", options.tolerance, "relative residual of the solver")->capture_default_str();
-  app.add_option("--scheme", options.scheme, "one_step, or conservative: energy exact, several solutions a step")
-      ->check(CLI::IsMember({"one_step", "conservative"}))
-      ->capture_default_str();
-  app.add_option("--out", options.out, "folder for fields_*.h5 and the record")->capture_default_str();
+      ->check(CLI::IsMember({"hump", "soliton", "reflection", "island"}));
+  option("--columns", options.columns, "of cells, of hump and soliton")->check(CLI::Range(2, 1000000));
+  option("--rows", options.rows, "of cells, of hump and soliton")->check(CLI::Range(1, 1000000));
+  option("--layers", options.layers, "of hexahedra; 0: the 2DH model")->check(CLI::Range(0, 100));
+  option("--spacing", options.spacing, "of the grid [h]");
+  option("--angle", options.angle, "of a reflected wave [degrees]")->check(CLI::Range(0.0, 75.0));
+  option("--amplitude", options.amplitude, "[depths]");
+  option("--time", options.time, "[sqrt(depth/g)]");
+  option("--step", options.step, "[sqrt(depth/g)]");
+  option("--every", options.every, "time between files; 0: one at the end");
+  option("--tolerance", options.tolerance, "relative residual of the solver");
+  option("--scheme", options.scheme, "one_step, or conservative: energy exact, several solutions a step")
+      ->check(CLI::IsMember({"one_step", "conservative"}));
+  option("--out", options.out, "folder for fields_*.h5 and the record");
 }
 
 namespace {
@@ -74,43 +61,30 @@ dispersive_shallow_water_2d::Rectangle water(const Options& options) {
       return a * std::exp(-r2 / 16);
     };
   } else {
-    const auto wave = std::make_shared<exact::SerreSolitary>(options.amplitude);
-    rectangle.elevation = [wave](double x, double) { return wave->elevation(x - crest); };
+    rectangle.elevation = [wave = exact::SerreSolitary(options.amplitude)](double x, double) {
+      return wave.elevation(x - crest);
+    };
   }
   return rectangle;
 }
 
 dispersive_shallow_water_2d::VelocityAt velocity(const Options& options) {
   if (options.flow == "hump") return {};
-  const auto wave = std::make_shared<exact::SerreSolitary>(options.amplitude);
-  const double celerity = std::sqrt(1 + options.amplitude);
-  return [wave, celerity](double x, double) {
-    const double eta = wave->elevation(x - crest);
-    const double u = celerity * eta / (1 + eta);
-    return dispersive_shallow_water_2d::Velocity{
-        .u = u, .v = 0, .w = (u - celerity) * wave->elevation_slope(x - crest)};
-  };
+  return
+      [wave = exact::SerreSolitary(options.amplitude), celerity = std::sqrt(1 + options.amplitude)](double x, double) {
+        const double eta = wave.elevation(x - crest);
+        const double u = celerity * eta / (1 + eta);
+        return dispersive_shallow_water_2d::Velocity{u, 0, (u - celerity) * wave.elevation_slope(x - crest)};
+      };
 }
 
 lagrangian_mesh_3d::Layer layered_water(const Options& options) {
-  const dispersive_shallow_water_2d::Rectangle seen_from_above = water(options);
-  return {.begin = seen_from_above.begin,
-          .end = seen_from_above.end,
-          .south = seen_from_above.south,
-          .north = seen_from_above.north,
-          .columns = seen_from_above.columns,
-          .rows = seen_from_above.rows,
-          .layers = options.layers,
-          .elevation = seen_from_above.elevation};
+  return validation::layers_of(water(options), options.layers);
 }
 
 lagrangian_mesh_3d::VelocityAt layered_velocity(const Options& options) {
-  const dispersive_shallow_water_2d::VelocityAt of_columns = velocity(options);
-  if (!of_columns) return {};
-  return [of_columns, surface = water(options).elevation](plan_lattice::Place at) {
-    const auto top = of_columns(at.x, at.y);
-    return lagrangian_mesh_3d::Vector{top.u, top.v, (1 + at.z) / (1 + surface(at.x, at.y)) * top.w};
-  };
+  if (options.flow == "hump") return {};
+  return validation::layered(velocity(options), water(options));
 }
 
 validation::ObliqueWave oblique_wave(const Options& options) {
@@ -172,6 +146,16 @@ evidence::Record begun(const Options& options) {
 
 namespace {
 
+/// @param change  over the first energy
+void judge_energy(evidence::Record& record, const std::string& text, const std::string& quantity,
+                  const evidence::Measurement& change, double limit, const std::string& reason) {
+  record.check({.id = "energy",
+                .text = text,
+                .quantity = quantity + " of energy over its first value",
+                .source = "Frank, Discrete models of incompressible fluid (1994), chapter 1"},
+               change, evidence::Bound{.limit = limit, .reason = reason});
+}
+
 /// k of the solitary wave a sech^2(k s), times the depth.
 double wave_number(const Options& options) {
   return std::sqrt(3 * options.amplitude / (4 * (1 + options.amplitude)));
@@ -216,15 +200,12 @@ void judge_island(evidence::Record& record, const Options& options, const Findin
                   const std::string& resolution) {
   const double coarse = std::pow(wave_number(options) * options.spacing, 2);
   constexpr double cotangent = 1 / validation::ConicalIsland::slope;
-  record.check(
-      {.id = "energy",
-       .text = "The energy with friction rises by at most the oscillation of the one-step scheme, (omega tau)^2/4.",
-       .quantity = "largest rise of energy over its first value",
-       .source = "Frank, Discrete models of incompressible fluid (1994), chapter 1"},
-      {.value = findings.energy_rise / findings.energy, .resolution = resolution},
-      evidence::Bound{.limit = 3 * options.step * options.step / 4,
-                      .reason = "(omega tau)^2/4, twice an oscillator's amplitude of energy under drift, kick, drift, "
-                                "at the highest frequency sqrt(3 g/depth)"});
+  judge_energy(record,
+               "The energy with friction rises by at most the oscillation of the one-step scheme, (omega tau)^2/4.",
+               "largest rise", {.value = findings.energy_rise / findings.energy, .resolution = resolution},
+               3 * options.step * options.step / 4,
+               "(omega tau)^2/4, twice an oscillator's amplitude of energy under drift, kick, drift, at the highest "
+               "frequency sqrt(3 g/depth)");
   record.check(
       {.id = "run-up",
        .text = "The maximum run-up on the island is at most Synolakis' run-up on a plane beach of its slope.",
@@ -258,30 +239,23 @@ void judge(evidence::Record& record, const Options& options, const Findings& fin
     judge_island(record, options, findings, resolution);
     return;
   }
+  const evidence::Measurement change{.value = findings.energy_change / findings.energy, .resolution = resolution};
   if (options.scheme == "conservative") {
-    record.check(
-        {.id = "energy",
-         .text = "The energy in the conservative scheme changes by at most 1e-11 per step, at which its sweeps end.",
-         .quantity = "largest change of energy over its first value",
-         .source = "Frank, Discrete models of incompressible fluid (1994), chapter 1"},
-        {.value = findings.energy_change / findings.energy, .resolution = resolution},
-        evidence::Bound{.limit = 1e-11 * static_cast<double>(findings.steps),
-                        .reason = "sweeps end when velocities change by less than 1e-11 of the largest"});
+    judge_energy(record,
+                 "The energy in the conservative scheme changes by at most 1e-11 per step, at which its sweeps end.",
+                 "largest change", change, 1e-11 * static_cast<double>(findings.steps),
+                 "sweeps end when velocities change by less than 1e-11 of the largest");
     return;
   }
   // Squares of the models' frequencies are below 3 for columns (alpha = 1/3, unit depth and gravity), below 2 over the
   // height of a layer for hexahedra.
   const double fastest = options.layers > 0 ? 2 * static_cast<double>(options.layers) : 3;
-  record.check(
-      {.id = "energy",
-       .text = "The energy change is within the oscillation of the one-step scheme, (omega tau)^2/4.",
-       .quantity = "largest change of energy over its first value",
-       .source = "Frank, Discrete models of incompressible fluid (1994), chapter 1"},
-      {.value = findings.energy_change / findings.energy, .resolution = resolution},
-      evidence::Bound{.limit = fastest * options.step * options.step / 4,
-                      .reason = fmt::format("(omega tau)^2/4, twice an oscillator's amplitude of energy under drift, "
-                                            "kick, drift, at the highest frequency sqrt({:g} g/depth)",
-                                            fastest)});
+  judge_energy(
+      record, "The energy change is within the oscillation of the one-step scheme, (omega tau)^2/4.", "largest change",
+      change, fastest * options.step * options.step / 4,
+      fmt::format("(omega tau)^2/4, twice an oscillator's amplitude of energy under drift, kick, drift, at the "
+                  "highest frequency sqrt({:g} g/depth)",
+                  fastest));
 }
 
 }  // namespace seiche::parallel

@@ -4,10 +4,9 @@
 #include <cmath>
 #include <numbers>
 
-#include <boost/math/differentiation/finite_difference.hpp>
-
 #include "seiche/require.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/manufactured/difference.hpp"
 
 namespace seiche::validation {
 
@@ -68,12 +67,6 @@ Vector velocity(const Sample& at, const Bottom& bottom, const DispersiveManufact
   const double c = cosine(bottom);
   const double s = bottom.slope * c;
   return {at.p * c - at.r * s, at.p * s + at.r * c};
-}
-
-/// Derivative at 0 by central differences of eighth order.
-template <class Function>
-double difference(const Function& f) {
-  return boost::math::differentiation::finite_difference_derivative<Function, double, 8>(f, 0.0);
 }
 
 /// Components of a force per unit mass in the frame of p, r.

@@ -7,10 +7,9 @@
 #include <numbers>
 #include <string>
 
-#include <boost/math/differentiation/finite_difference.hpp>
-
 #include "seiche/require.hpp"
 #include "seiche/samples.hpp"
+#include "validation/instruments/manufactured/difference.hpp"
 
 namespace seiche::validation {
 
@@ -84,12 +83,6 @@ class Displacements {
 
   Swing along_, across_, double_;
 };
-
-/// Derivative at 0 by central differences of eighth order.
-template <class Function>
-double rate_at_zero(const Function& f) {
-  return boost::math::differentiation::finite_difference_derivative<Function, double, 8>(f, 0.0);
-}
 
 }  // namespace
 
@@ -183,13 +176,13 @@ exact::SelfTest PlanManufactured::self_test() const {
   };
   const auto check_inside = [&](double a, double b, double t) {
     const auto by_x = [&](auto value) {
-      return rate_at_zero([&](double z) { return std::invoke(value, at(a + label_scale * z, b, t)); }) / label_scale;
+      return difference([&](double z) { return std::invoke(value, at(a + label_scale * z, b, t)); }) / label_scale;
     };
     const auto by_y = [&](auto value) {
-      return rate_at_zero([&](double z) { return std::invoke(value, at(a, b + label_scale * z, t)); }) / label_scale;
+      return difference([&](double z) { return std::invoke(value, at(a, b + label_scale * z, t)); }) / label_scale;
     };
     const auto rate = [&](auto value) {
-      return rate_at_zero([&](double z) { return std::invoke(value, at(a, b, t + time_scale * z)); }) / time_scale;
+      return difference([&](double z) { return std::invoke(value, at(a, b, t + time_scale * z)); }) / time_scale;
     };
     const double x_x = by_x(&Sample::x);
     const double x_y = by_y(&Sample::x);

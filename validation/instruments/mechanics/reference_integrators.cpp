@@ -35,58 +35,17 @@ long integrate_adaptive(AdaptiveMethod method, const std::function<void(Input x,
   return evaluations;
 }
 
-namespace {
-
-struct Description {
-  std::string_view name;
-  std::string_view title;
-  int order;
-  bool keeps_energy;
-  std::size_t stages;
-};
-
-Description describe(Integrator integrator) {
-  switch (integrator) {
-    case Integrator::triple_jump:
-      return {"triple_jump", "its triple jump", 4, true, 6};
-    case Integrator::suzuki:
-      return {"suzuki", "its Suzuki composition", 4, true, 10};
-    case Integrator::conservative:
-      return {"conservative", "fully conservative", 2, true, 1};
-    case Integrator::conservative_suzuki:
-      return {"conservative_suzuki", "Suzuki of the fully conservative", 4, true, 10};
-    case Integrator::runge_kutta_2:
-      return {"runge_kutta_2", "RK2", 2, false, 1};
-    case Integrator::runge_kutta_4:
-      return {"runge_kutta_4", "RK4", 4, false, 1};
-    case Integrator::rattle:
-      return {"rattle", "RATTLE", 2, false, 1};
-    case Integrator::one_step:
-      break;
-  }
-  return {"one_step", "one-step scheme", 2, true, 1};
-}
-
-}  // namespace
-
-std::string_view name(Integrator integrator) {
-  return describe(integrator).name;
-}
-
-std::string_view title(Integrator integrator) {
-  return describe(integrator).title;
-}
-
-int order(Integrator integrator) {
-  return describe(integrator).order;
-}
-
-bool keeps_energy(Integrator integrator) {
-  return describe(integrator).keeps_energy;
-}
-
-std::size_t stages(Integrator integrator) {
-  return describe(integrator).stages;
+const IntegratorFacts& facts_of(Integrator integrator) {
+  static constexpr std::array<IntegratorFacts, all_integrators.size()> facts{
+      {{"one_step", "one-step scheme", 2, true},
+       {"triple_jump", "its triple jump", 4, true},
+       {"suzuki", "its Suzuki composition", 4, true},
+       {"conservative", "fully conservative", 2, true},
+       {"conservative_suzuki", "Suzuki of the fully conservative", 4, true},
+       {"runge_kutta_2", "RK2", 2, false},
+       {"runge_kutta_4", "RK4", 4, false},
+       {"rattle", "RATTLE", 2, false}}};
+  return facts[static_cast<std::size_t>(integrator)];
 }
 
 }  // namespace seiche::mechanics

@@ -195,22 +195,32 @@ enum class Integrator {
   rattle
 };
 
-inline constexpr std::array all_integrators{Integrator::one_step,
-                                            Integrator::triple_jump,
-                                            Integrator::suzuki,
-                                            Integrator::conservative,
-                                            Integrator::conservative_suzuki,
-                                            Integrator::runge_kutta_2,
-                                            Integrator::runge_kutta_4,
-                                            Integrator::rattle};
+inline constexpr auto all_integrators = [] {
+  using enum Integrator;
+  return std::array{one_step,      triple_jump,   suzuki, conservative, conservative_suzuki,
+                    runge_kutta_2, runge_kutta_4, rattle};
+}();
 
-std::string_view name(Integrator integrator);   ///< "one_step", ...
-std::string_view title(Integrator integrator);  ///< for figures: "its Suzuki composition", ...
-int order(Integrator integrator);
-/// Whether it keeps the energy to round-off for a linear potential.
-bool keeps_energy(Integrator integrator);
-/// Steps of second order that one step is composed of.
-std::size_t stages(Integrator integrator);
+/// What is known of an integrator.
+struct IntegratorFacts {
+  std::string_view name;   ///< "one_step", ...
+  std::string_view title;  ///< for figures: "its Suzuki composition", ...
+  int order;
+  bool keeps_energy;  ///< to round-off for a linear potential
+};
+const IntegratorFacts& facts_of(Integrator integrator);
+inline std::string_view name(Integrator integrator) {
+  return facts_of(integrator).name;
+}
+inline std::string_view title(Integrator integrator) {
+  return facts_of(integrator).title;
+}
+inline int order(Integrator integrator) {
+  return facts_of(integrator).order;
+}
+inline bool keeps_energy(Integrator integrator) {
+  return facts_of(integrator).keeps_energy;
+}
 
 /// One step, with the errors of the integrator it stands for. @param model  must outlive the result
 template <ConstrainedModel Model>

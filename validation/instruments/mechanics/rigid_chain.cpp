@@ -12,11 +12,27 @@ namespace seiche::rigid_chain {
 using mechanics::Input;
 using mechanics::Output;
 
+namespace {
+
+Vector3 vector(Input v, std::size_t k) {
+  return {v[3 * k], v[3 * k + 1], v[3 * k + 2]};
+}
+double length(Vector3 v) {
+  return std::hypot(v.x, v.y, v.z);
+}
+void put(Vector3 a, std::size_t k, Output v) {
+  v[3 * k] = a.x;
+  v[3 * k + 1] = a.y;
+  v[3 * k + 2] = a.z;
+}
+
+}  // namespace
+
 RigidChain::RigidChain(Settings settings) : settings_(std::move(settings)), first_(settings_.pinned ? 0 : 1) {
   require_at_least("number of masses", static_cast<long>(settings_.masses.size()), static_cast<long>(first_) + 1);
   for (const double m : settings_.masses) require_positive("mass", m);
   links_ = settings_.masses.size() - first_;
-  link_.resize(3 * links_);
+  link_.resize(links_);
   diagonal_.resize(links_);
   off_diagonal_.resize(links_);
   force_.resize(coordinates());
@@ -39,36 +55,24 @@ void RigidChain::linearise_between(mechanics::Interval, Input q0, Input q1, int 
 }
 
 void RigidChain::constraint_rates(Input u, Output w) const {
-  for (std::size_t s = 0; s < links_; ++s) {
-    w[s] = 0;
-    for (std::size_t c = 0; c < 3; ++c) w[s] += link_[3 * s + c] * difference(u, s, c);
-  }
+  for (std::size_t s = 0; s < links_; ++s) w[s] = dot(link_[s], along(u, s));
 }
 
 void RigidChain::react(Input mu, Output u) const {
   for (std::size_t s = 0; s < links_; ++s) {
     const std::size_t b = s + first_;
-    for (std::size_t c = 0; c < 3; ++c) {
-      const double impulse = mu[s] * link_[3 * s + c];
-      u[3 * b + c] += impulse / settings_.masses[b];
-      if (b > 0) u[3 * (b - 1) + c] -= impulse / settings_.masses[b - 1];
-    }
+    const Vector3 impulse = mu[s] * link_[s];
+    put(vector(u, b) + impulse / settings_.masses[b], b, u);
+    if (b > 0) put(vector(u, b - 1) - impulse / settings_.masses[b - 1], b - 1, u);
   }
 }
 
 void RigidChain::constraint_values(Input q, Output f) const {
-  for (std::size_t s = 0; s < links_; ++s) {
-    double square = 0;
-    for (std::size_t c = 0; c < 3; ++c) square += difference(q, s, c) * difference(q, s, c);
-    f[s] = 0.5 * (square - 1);
-  }
+  for (std::size_t s = 0; s < links_; ++s) f[s] = 0.5 * (dot(along(q, s), along(q, s)) - 1);
 }
 
 void RigidChain::curvature(Input u, Input v, Output b) const {
-  for (std::size_t s = 0; s < links_; ++s) {
-    b[s] = 0;
-    for (std::size_t c = 0; c < 3; ++c) b[s] += difference(u, s, c) * difference(v, s, c);
-  }
+  for (std::size_t s = 0; s < links_; ++s) b[s] = dot(along(u, s), along(v, s));
 }
 
 double RigidChain::kinetic_energy(Input, Input u) const {
@@ -88,21 +92,15 @@ double RigidChain::potential_energy(Input q) const {
 }
 
 std::array<double, 3> RigidChain::momentum(Input, Input u) const {
-  std::array<double, 3> sum{};
-  for (std::size_t i = 0; i < u.size(); ++i) sum[i % 3] += settings_.masses[i / 3] * u[i];
-  return sum;
+  Vector3 sum;
+  for (std::size_t k = 0; k < masses().size(); ++k) sum = sum + masses()[k] * vector(u, k);
+  return {sum.x, sum.y, sum.z};
 }
 
 std::array<double, 3> RigidChain::angular_momentum(Input q, Input u) const {
-  std::array<double, 3> sum{};
-  for (std::size_t k = 0; k < q.size(); k += 3) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      const std::size_t a = k + (c + 1) % 3;
-      const std::size_t b = k + (c + 2) % 3;
-      sum[c] += settings_.masses[k / 3] * (q[a] * u[b] - q[b] * u[a]);
-    }
-  }
-  return sum;
+  Vector3 sum;
+  for (std::size_t k = 0; k < masses().size(); ++k) sum = sum + masses()[k] * cross(vector(q, k), vector(u, k));
+  return {sum.x, sum.y, sum.z};
 }
 
 double RigidChain::force_per_mass(Input q, std::size_t i) const {
@@ -111,22 +109,20 @@ double RigidChain::force_per_mass(Input q, std::size_t i) const {
   return f;
 }
 
+Vector3 RigidChain::along(Input v, std::size_t s) const {
+  const std::size_t b = s + first_;
+  return vector(v, b) - (b > 0 ? vector(v, b - 1) : Vector3{});
+}
+
 void RigidChain::find_links(Input q) {
-  for (std::size_t s = 0; s < links_; ++s) {
-    for (std::size_t c = 0; c < 3; ++c) link_[3 * s + c] = difference(q, s, c);
-  }
+  for (std::size_t s = 0; s < links_; ++s) link_[s] = along(q, s);
 }
 
 void RigidChain::factor() {
   for (std::size_t s = 0; s < links_; ++s) {
     const std::size_t b = s + first_;
-    double square = 0;
-    double across = 0;
-    for (std::size_t c = 0; c < 3; ++c) {
-      square += link_[3 * s + c] * link_[3 * s + c];
-      if (s + 1 < links_) across += link_[3 * s + c] * link_[3 * (s + 1) + c];
-    }
-    diagonal_[s] = square * (1 / settings_.masses[b] + (b > 0 ? 1 / settings_.masses[b - 1] : 0.0));
+    const double across = s + 1 < links_ ? dot(link_[s], link_[s + 1]) : 0;
+    diagonal_[s] = dot(link_[s], link_[s]) * (1 / settings_.masses[b] + (b > 0 ? 1 / settings_.masses[b - 1] : 0.0));
     off_diagonal_[s] = -across / settings_.masses[b];
   }
   matrix_.factor({diagonal_, off_diagonal_});
@@ -141,10 +137,9 @@ void Scales::include(const Scales& other) {
 Scales scales_of(const RigidChain& chain, const mechanics::State& state) {
   Scales scales{.energy = chain.kinetic_energy(state.q, state.u) + std::abs(chain.potential_energy(state.q))};
   for (std::size_t k = 0; k < chain.masses().size(); ++k) {
-    const double speed = std::hypot(state.u[3 * k], state.u[3 * k + 1], state.u[3 * k + 2]);
-    const double momentum = chain.masses()[k] * speed;
+    const double momentum = chain.masses()[k] * length(vector(state.u, k));
     scales.momentum += momentum;
-    scales.angular_momentum += momentum * std::hypot(state.q[3 * k], state.q[3 * k + 1], state.q[3 * k + 2]);
+    scales.angular_momentum += momentum * length(vector(state.q, k));
   }
   return scales;
 }

@@ -16,6 +16,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "seiche/geometry/vector.hpp"
 #include "seiche/linear/tridiagonal.hpp"
 #include "seiche/mechanics/constrained_model.hpp"
 #include "seiche/mechanics/invariants.hpp"
@@ -73,17 +74,16 @@ class RigidChain {
 
  private:
   [[nodiscard]] double force_per_mass(mechanics::Input q, std::size_t i) const;
-  [[nodiscard]] double difference(mechanics::Input v, std::size_t s, std::size_t c) const {
-    const std::size_t b = s + first_;
-    return v[3 * b + c] - (b > 0 ? v[3 * (b - 1) + c] : 0.0);
-  }
+  /// Of the far end of a link less the near one.
+  [[nodiscard]] Vector3 along(mechanics::Input v, std::size_t s) const;
   void find_links(mechanics::Input q);
   void factor();
 
   Settings settings_;
   std::size_t first_;  // mass at the far end of the first link
   std::size_t links_;
-  std::vector<double> link_, diagonal_, off_diagonal_, force_, middle_;
+  std::vector<Vector3> link_;
+  std::vector<double> diagonal_, off_diagonal_, force_, middle_;
   linear::TwoEndedTridiagonal matrix_;
   long solves_ = 0;
 };

@@ -26,9 +26,7 @@ namespace {
 /// int N_a dr x dr of the corners of a patch.
 std::array<Vector3, 4> corner_areas(const std::array<Vector3, 4>& r) {
   std::array<Vector3, 4> normal{};
-  for (std::size_t a = 0; a < 4; ++a) {
-    normal[a] = cross(r[(a + 1) % 4] - r[a], r[(a + 3) % 4] - r[a]);
-  }
+  for (std::size_t a = 0; a < 4; ++a) normal[a] = cross(r[(a + 1) % 4] - r[a], r[(a + 3) % 4] - r[a]);
   std::array<Vector3, 4> area{};
   for (std::size_t a = 0; a < 4; ++a) {
     area[a] = (4 * normal[a] + 2 * (normal[(a + 1) % 4] + normal[(a + 3) % 4]) + normal[(a + 2) % 4]) / 36;
@@ -57,15 +55,11 @@ std::vector<Vector3> impulsive_start(const lagrangian_mesh_3d::Mesh& mesh,
     }
     const double phi = potential(x, y);
     const auto area = corner_areas(r);
-    for (std::size_t a = 0; a < 4; ++a) {
-      impulse[nodes[a]] = impulse[nodes[a]] + phi * area[a];
-    }
+    for (std::size_t a = 0; a < 4; ++a) impulse[nodes[a]] = impulse[nodes[a]] + phi * area[a];
   }
   const std::vector<double>& mass = model.nodes().mass();
   std::vector<Vector3> velocities(n);
-  for (std::size_t k = top; k < n; ++k) {
-    velocities[k] = impulse[k] / mass[k];
-  }
+  for (std::size_t k = top; k < n; ++k) velocities[k] = impulse[k] / mass[k];
   mechanics::State state = model.state(velocities);
   mechanics::Start(model).project(state);
   for (std::size_t k = 0; k < n; ++k) velocities[k] = vector_at(state.u, k);

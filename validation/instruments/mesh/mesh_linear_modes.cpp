@@ -35,12 +35,8 @@ Eigen::MatrixXd possible_rates(const lagrangian_mesh_2d::Model& model) {
   return q;
 }
 
-std::span<const double> span_of(const Eigen::VectorXd& v) {
-  return {v.data(), static_cast<std::size_t>(v.size())};
-}
-
-std::span<const double> entries_of(const Eigen::MatrixXd& matrix) {
-  return {matrix.data(), static_cast<std::size_t>(matrix.size())};
+auto entries_of(auto& matrix) {
+  return std::span(matrix.data(), static_cast<std::size_t>(matrix.size()));
 }
 
 /// W F with the nodes displaced.
@@ -48,10 +44,10 @@ Eigen::VectorXd accelerations(lagrangian_mesh_2d::Model& model, const std::vecto
                               const Eigen::VectorXd& rates, double h) {
   std::vector<double> q(rest.size());
   model.linearise({}, rest);
-  model.predict(rest, span_of(rates), h, q);
+  model.predict(rest, entries_of(rates), h, q);
   model.linearise({}, q);
   Eigen::VectorXd kicked = Eigen::VectorXd::Zero(rates.size());
-  model.kick(1, {kicked.data(), static_cast<std::size_t>(kicked.size())});
+  model.kick(1, entries_of(kicked));
   return kicked;
 }
 
@@ -65,7 +61,7 @@ LinearModes linear_modes(lagrangian_mesh_2d::Model& model, double displacement) 
   Eigen::VectorXd rate(constraints.rows());
   for (Index j = 0; j < q.cols(); ++j) {
     const Eigen::VectorXd column = q.col(j);
-    model.constraint_rates(span_of(column), {rate.data(), static_cast<std::size_t>(rate.size())});
+    model.constraint_rates(entries_of(column), entries_of(rate));
     constraints.col(j) = rate;
   }
   // Columns of q have one or two entries: dividing by their squares gives Q^T M of an acceleration.
@@ -88,7 +84,7 @@ LinearModes linear_modes(lagrangian_mesh_2d::Model& model, double displacement) 
   LinearModes modes;
   const Eigen::MatrixXd skew = s - s.transpose();
   modes.asymmetry = worst(entries_of(skew)) / worst(entries_of(s));
-  const double least = 1e-10 * worst(span_of(squares));
+  const double least = 1e-10 * worst(entries_of(squares));
   // A square that is clearly negative belongs to no motionless mode: its frequency is not a number.
   while (static_cast<Index>(modes.motionless) < squares.size() &&
          std::abs(squares[static_cast<Index>(modes.motionless)]) < least) {

@@ -8,6 +8,7 @@
 
 #include "seiche/divergence.hpp"
 #include "seiche/shallow_water/relations.hpp"
+#include "validation/instruments/each.hpp"
 
 namespace seiche::validation {
 
@@ -64,7 +65,13 @@ bool AsWritten::rebuild(Row& row, std::size_t i) {
   return right_one;
 }
 
+double AsWritten::shortest_crossing() const {
+  const auto crossing = [&](std::size_t i) { return mass(i) / depth(i) / shallow_water::celerity(gravity_, depth(i)); };
+  return over<Smallest>(indices(size()), crossing).value();
+}
+
 void AsWritten::advance(double tau) {
+  largest_courant_.add(tau / shortest_crossing());
   Row row = row_;
   const std::size_t n = size();
   const std::optional<double> at_left = end_velocity(false, time_ + tau / 2);

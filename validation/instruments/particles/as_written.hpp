@@ -22,12 +22,14 @@
 /// 3 and 4.
 #pragma once
 
+#include <numeric>
 #include <optional>
 #include <vector>
 
 #include "seiche/compensated_sum.hpp"
 #include "seiche/models/shallow_water_particles/particle_flow.hpp"
 #include "seiche/models/shallow_water_particles/particles.hpp"
+#include "seiche/samples.hpp"
 
 namespace seiche::validation {
 
@@ -46,6 +48,11 @@ class AsWritten {
   [[nodiscard]] double depth(std::size_t i) const { return row_.depth(i); }
   [[nodiscard]] double velocity(std::size_t i) const { return row_.velocity[i]; }
   [[nodiscard]] double mass(std::size_t i) const { return row_.mass[i]; }
+  /// Of a particle by a wave: its width over the celerity there [s].
+  [[nodiscard]] double shortest_crossing() const;
+  [[nodiscard]] double largest_courant() const { return largest_courant_.value(); }
+  /// Mass less the initial one [m^2].
+  [[nodiscard]] double mass_defect() const { return mass() - initial_mass_; }
   /// Momentum less the initial one and the impulses of the ends [m^3/s].
   [[nodiscard]] double momentum_defect() const { return momentum() - impulse_.value(); }
   /// Sides of the rectangles from left to right.
@@ -58,6 +65,7 @@ class AsWritten {
   };
   /// Returns whether the right one of the pair (i, i + 1) was rebuilt.
   static bool rebuild(Row& row, std::size_t i);
+  [[nodiscard]] double mass() const { return std::accumulate(row_.mass.begin(), row_.mass.end(), 0.0); }
   [[nodiscard]] double momentum() const { return shallow_water_particles::total_momentum(row_.mass, row_.velocity); }
   /// What moves an end: a velocity, or nothing where it goes with its particle.
   [[nodiscard]] std::optional<double> end_velocity(bool right, double time) const;
@@ -65,6 +73,8 @@ class AsWritten {
   Row row_;
   shallow_water_particles::Ends ends_;
   double gravity_;
+  double initial_mass_ = mass();
+  Largest largest_courant_;
   CompensatedSum impulse_;  ///< and the initial momentum
   double time_ = 0;
   long steps_ = 0;

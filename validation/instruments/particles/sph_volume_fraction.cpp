@@ -11,6 +11,7 @@
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include "seiche/require.hpp"
+#include "seiche/samples.hpp"
 
 namespace seiche::wcsph {
 namespace {
@@ -130,11 +131,6 @@ void VolumeFraction::sort(std::vector<Sample> samples) {
   samples_ = std::move(samples);
 }
 
-double VolumeFraction::weight_at(double distance_squared) const {
-  const double distance = std::sqrt(distance_squared);
-  return kernel_ == KernelName::cubic_spline ? weight<CubicSpline>(distance, h_) : weight<WendlandC2>(distance, h_);
-}
-
 double VolumeFraction::coverage(double x, double z) const {
   const auto part = [&](double before, double after) {
     return half_plane(kernel_, before / h_) + half_plane(kernel_, after / h_) - 1;
@@ -149,6 +145,9 @@ double VolumeFraction::at(double x, double z) const {
   const double reach = support * h_;
   const double middle = std::floor((px - left_) / reach);
   const double last = static_cast<double>(begin_.size()) - 2;
+  const auto weight_of = [this](double distance) {
+    return kernel_ == KernelName::cubic_spline ? weight<CubicSpline>(distance, h_) : weight<WendlandC2>(distance, h_);
+  };
   double sum = 0;
   for (double strip = std::max(middle - 1, 0.0); strip <= std::min(middle + 1, last); ++strip) {
     const auto k = static_cast<std::size_t>(strip);
@@ -159,8 +158,8 @@ double VolumeFraction::at(double x, double z) const {
     for (auto sample = lowest; sample != end && sample->z < pz + reach; ++sample) {
       const double dx = px - sample->x;
       const double dz = pz - sample->z;
-      const double distance_squared = dx * dx + dz * dz;
-      if (distance_squared < reach * reach) sum += sample->volume * weight_at(distance_squared);
+      const double square = dx * dx + dz * dz;
+      if (square < reach * reach) sum += sample->volume * weight_of(std::sqrt(square));
     }
   }
   return sum / coverage(x, z);
@@ -178,16 +177,6 @@ std::vector<double> VolumeFraction::on_grid(double left, double bottom, double s
   return values;
 }
 
-double VolumeFraction::crossing(double x, double wet, double dry) const {
-  std::uintmax_t evaluations = 100;
-  const auto excess = [&](double z) { return at(x, z) - surface_fraction; };
-  const double low = std::min(wet, dry);
-  const double high = std::max(wet, dry);
-  const auto bracket = boost::math::tools::toms748_solve(
-      excess, low, high, [this](double a, double b) { return std::abs(a - b) < 1e-12 * h_; }, evaluations);
-  return (bracket.first + bracket.second) / 2;
-}
-
 std::optional<double> VolumeFraction::elevation(double x) const {
   const double step = h_ / 4;
   const double lowest = std::max(extents_.bottom - support * h_, basin_.bottom);
@@ -195,7 +184,13 @@ std::optional<double> VolumeFraction::elevation(double x) const {
   if (at(x, above) >= surface_fraction) return above;
   while (above > lowest) {
     const double z = std::max(above - step, lowest);
-    if (at(x, z) >= surface_fraction) return crossing(x, z, above);
+    if (at(x, z) >= surface_fraction) {
+      std::uintmax_t evaluations = 100;
+      const auto [low, high] = boost::math::tools::toms748_solve(
+          [&](double level) { return at(x, level) - surface_fraction; }, z, above,
+          [this](double a, double b) { return std::abs(a - b) < 1e-12 * h_; }, evaluations);
+      return (low + high) / 2;
+    }
     above = z;
   }
   return std::nullopt;
@@ -205,18 +200,15 @@ std::optional<double> VolumeFraction::mean_elevation(double left, double right) 
   require_finite("left", left);
   require_positive("right - left", right - left);
   const auto count = static_cast<long>(std::ceil((right - left) / (h_ / 2)));
-  double sum = 0;
-  long counted = 0;
+  Mean mean;
   bool wet = false;
   for (long k = 0; k < count; ++k) {
-    const double x = left + (right - left) * (static_cast<double>(k) + 0.5) / static_cast<double>(count);
-    const std::optional<double> here = elevation(x);
+    const std::optional<double> here =
+        elevation(left + (right - left) * (static_cast<double>(k) + 0.5) / static_cast<double>(count));
     wet = wet || here;
-    if (!here && std::isinf(basin_.bottom)) continue;
-    sum += here.value_or(basin_.bottom);
-    ++counted;
+    if (here || std::isfinite(basin_.bottom)) mean.add(here.value_or(basin_.bottom));
   }
-  return wet ? std::optional(sum / static_cast<double>(counted)) : std::nullopt;
+  return wet ? std::optional(mean.value()) : std::nullopt;
 }
 
 }  // namespace seiche::wcsph

@@ -39,9 +39,6 @@ class VolumeFraction {
 
   /// Of the places of the fluid particles.
   [[nodiscard]] const Box& extents() const { return extents_; }
-  [[nodiscard]] const Box& basin() const { return basin_; }
-  [[nodiscard]] const Period& period() const { return period_; }
-  [[nodiscard]] double smoothing_length() const { return h_; }
 
  private:
   struct Sample {
@@ -49,11 +46,8 @@ class VolumeFraction {
   };
   [[nodiscard]] std::vector<Sample> samples_of(const Particles& particles);
   void sort(std::vector<Sample> samples);
-  [[nodiscard]] double weight_at(double distance_squared) const;
   /// Weight of the kernel inside the basin.
   [[nodiscard]] double coverage(double x, double z) const;
-  /// Level between a wet and a dry one where the fraction is 1/2.
-  [[nodiscard]] double crossing(double x, double wet, double dry) const;
 
   double h_;
   Box basin_;

@@ -58,6 +58,28 @@ double reflected_angle(const ObliqueWave& wave) {
   return std::max(wave.angle(), std::asin((std::sqrt(1 + 4 * s * s) - 1) / (2 * s)));
 }
 
+/// The smallest number from `cells` on without prime factors but 2, 3, 5 and 7: others make Fourier transforms slow.
+std::size_t fast_from(std::size_t cells) {
+  for (;; ++cells) {
+    std::size_t rest = cells;
+    for (const std::size_t factor : {2, 3, 5, 7}) {
+      while (rest % factor == 0) rest /= factor;
+    }
+    if (rest == 1) return cells;
+  }
+}
+
+/// By how much the first wave is stronger than the undisturbed one.
+double strength(const ObliqueWave& wave, const ReflectionWindow& window, double y) {
+  const double distance = y / (6 * wave.width_unit());
+  return 1 + window.excess * std::exp(-distance * distance);
+}
+
+/// Cells that fill a length, in a number that suits Fourier transforms.
+std::size_t cells(double length, double spacing) {
+  return fast_from(std::max<std::size_t>(static_cast<std::size_t>(std::ceil(length / spacing)), 4));
+}
+
 }  // namespace
 
 ReflectionWindow window_until(double time, const ObliqueWave& wave, double spacing) {
@@ -75,83 +97,36 @@ ReflectionWindow window_until(double time, const ObliqueWave& wave, double spaci
   return window;
 }
 
-namespace {
-
-/// The smallest number from `cells` on without prime factors but 2, 3, 5 and 7: others make Fourier transforms slow.
-std::size_t fast_from(std::size_t cells) {
-  for (;; ++cells) {
-    std::size_t rest = cells;
-    for (const std::size_t factor : {2, 3, 5, 7}) {
-      while (rest % factor == 0) rest /= factor;
-    }
-    if (rest == 1) return cells;
-  }
-}
-
-/// The window's cells, and what bounds it.
-struct Frame {
-  double begin, end, north;
-  std::size_t columns, rows;
-  plan_lattice::Sides sides;
-  std::function<double(double)> reach;
-};
-
-/// By how much the first wave is stronger than the undisturbed one.
-double strength(const ObliqueWave& wave, const ReflectionWindow& window, double y) {
-  const double distance = y / (6 * wave.width_unit());
-  return 1 + window.excess * std::exp(-distance * distance);
-}
-
-double first_elevation(const ObliqueWave& wave, const ReflectionWindow& window, double x, double y) {
-  return strength(wave, window, y) * wave.elevation(x, y, 0);
-}
-
-Velocity first_velocity(const ObliqueWave& wave, const ReflectionWindow& window, double x, double y) {
-  const double factor = strength(wave, window, y);
-  const Velocity undisturbed = wave.velocity(x, y, 0);
-  return {.u = factor * undisturbed.u, .v = factor * undisturbed.v, .w = factor * undisturbed.w};
-}
-
-/// Cells that fill a length, in a number that suits Fourier transforms.
-std::size_t cells(double length, double spacing) {
-  return fast_from(std::max<std::size_t>(static_cast<std::size_t>(std::ceil(length / spacing)), 4));
-}
-
-Frame frame_of(const ObliqueWave& wave, const ReflectionWindow& window) {
+PlanReflection plan_reflection(const ObliqueWave& wave, const ReflectionWindow& window) {
   require_positive("spacing", window.spacing);
   require_positive("height", window.height);
   require_positive("rear", window.rear);
-  Frame frame;
-  frame.rows = cells(window.height, window.spacing);
-  frame.north = static_cast<double>(frame.rows) * window.spacing;
-  const double front = wave.crest_at(frame.north, 0) - wave.crest_at(0, 0) + wave.margin();
-  frame.columns = cells(window.rear + front + window.spacing, window.spacing);
-  frame.begin = wave.crest_at(0, 0) - window.rear;
-  frame.end = frame.begin + static_cast<double>(frame.columns) * window.spacing;
-  frame.sides = {.west = plan_lattice::WallSide{},
-                 .east = plan_lattice::WallSide{},
-                 .south = plan_lattice::WallSide{},
-                 .north = plan_lattice::DrivenSide{[wave](plan_lattice::Place at, double time) {
-                   const Velocity given = wave.velocity(at.x, at.y, time);
-                   return Point{given.u, given.v};
-                 }}};
-  frame.reach = [wave, front](double time) { return wave.crest_at(0, time) + front; };
-  return frame;
-}
-
-}  // namespace
-
-PlanReflection plan_reflection(const ObliqueWave& wave, const ReflectionWindow& window) {
-  const Frame frame = frame_of(wave, window);
-  return {.water = {.begin = frame.begin,
-                    .end = frame.end,
-                    .north = frame.north,
-                    .columns = frame.columns,
-                    .rows = frame.rows,
-                    .elevation = [=](double x, double y) { return first_elevation(wave, window, x, y); },
-                    .sides = frame.sides},
-          .velocity = [=](double x, double y) { return first_velocity(wave, window, x, y); },
-          .window = {.reach = frame.reach}};
+  const std::size_t rows = cells(window.height, window.spacing);
+  const double north = static_cast<double>(rows) * window.spacing;
+  const double front = wave.crest_at(north, 0) - wave.crest_at(0, 0) + wave.margin();
+  const std::size_t columns = cells(window.rear + front + window.spacing, window.spacing);
+  const double begin = wave.crest_at(0, 0) - window.rear;
+  return {
+      .water = {.begin = begin,
+                .end = begin + static_cast<double>(columns) * window.spacing,
+                .north = north,
+                .columns = columns,
+                .rows = rows,
+                .elevation = [=](double x, double y) { return strength(wave, window, y) * wave.elevation(x, y, 0); },
+                .sides = {.west = plan_lattice::WallSide{},
+                          .east = plan_lattice::WallSide{},
+                          .south = plan_lattice::WallSide{},
+                          .north = plan_lattice::DrivenSide{[wave](plan_lattice::Place at, double time) {
+                            const Velocity given = wave.velocity(at.x, at.y, time);
+                            return Point{given.u, given.v};
+                          }}}},
+      .velocity =
+          [=](double x, double y) {
+            const double factor = strength(wave, window, y);
+            const Velocity undisturbed = wave.velocity(x, y, 0);
+            return Velocity{factor * undisturbed.u, factor * undisturbed.v, factor * undisturbed.w};
+          },
+      .window = {.reach = [=](double time) { return wave.crest_at(0, time) + front; }}};
 }
 
 Flow reflection_flow(const ObliqueWave& wave, const ReflectionWindow& window,
@@ -160,24 +135,32 @@ Flow reflection_flow(const ObliqueWave& wave, const ReflectionWindow& window,
   return Flow(rectangular_lattice(made_of.water), made_of.velocity, scheme, settings, {}, made_of.window);
 }
 
+lagrangian_mesh_3d::Layer layers_of(const dispersive_shallow_water_2d::Rectangle& water, std::size_t layers) {
+  return {.begin = water.begin,
+          .end = water.end,
+          .south = water.south,
+          .north = water.north,
+          .depth = water.depth,
+          .columns = water.columns,
+          .rows = water.rows,
+          .layers = layers,
+          .elevation = water.elevation,
+          .sides = water.sides};
+}
+
+lagrangian_mesh_3d::VelocityAt layered(const dispersive_shallow_water_2d::VelocityAt& of_columns,
+                                       const dispersive_shallow_water_2d::Rectangle& water) {
+  return [of_columns, elevation = water.elevation](plan_lattice::Place at) {
+    const Velocity top = of_columns(at.x, at.y);
+    return lagrangian_mesh_3d::Vector{top.u, top.v, (1 + at.z) / (1 + elevation(at.x, at.y)) * top.w};
+  };
+}
+
 LayeredReflection layered_reflection(const ObliqueWave& wave, const ReflectionWindow& window, std::size_t layers) {
-  const Frame frame = frame_of(wave, window);
-  return {.water = {.begin = frame.begin,
-                    .end = frame.end,
-                    .north = frame.north,
-                    .depth = 1,
-                    .columns = frame.columns,
-                    .rows = frame.rows,
-                    .layers = layers,
-                    .elevation = [=](double x, double y) { return first_elevation(wave, window, x, y); },
-                    .sides = frame.sides},
-          .velocity =
-              [=](plan_lattice::Place at) {
-                const Velocity top = first_velocity(wave, window, at.x, at.y);
-                const double share = (1 + at.z) / (1 + first_elevation(wave, window, at.x, at.y));
-                return lagrangian_mesh_3d::Vector{top.u, top.v, share * top.w};
-              },
-          .window = {.reach = frame.reach}};
+  const PlanReflection seen_from_above = plan_reflection(wave, window);
+  return {.water = layers_of(seen_from_above.water, layers),
+          .velocity = layered(seen_from_above.velocity, seen_from_above.water),
+          .window = seen_from_above.window};
 }
 
 lagrangian_mesh_3d::Flow layered_reflection_flow(const ObliqueWave& wave, const ReflectionWindow& window,

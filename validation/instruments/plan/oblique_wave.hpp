@@ -77,7 +77,11 @@ dispersive_shallow_water_2d::Flow reflection_flow(const ObliqueWave& wave, const
                                                   dispersive_shallow_water_2d::Settings settings,
                                                   dispersive_shallow_water_2d::Scheme scheme = {});
 
-/// The same water in layers of hexahedra: horizontal velocities of the column, vertical ones linear in the height.
+/// The same water, of depth 1, in layers of hexahedra: horizontal velocities of the column, vertical ones linear in the
+/// height.
+lagrangian_mesh_3d::Layer layers_of(const dispersive_shallow_water_2d::Rectangle& water, std::size_t layers);
+lagrangian_mesh_3d::VelocityAt layered(const dispersive_shallow_water_2d::VelocityAt& of_columns,
+                                       const dispersive_shallow_water_2d::Rectangle& water);
 struct LayeredReflection {
   lagrangian_mesh_3d::Layer water;
   lagrangian_mesh_3d::VelocityAt velocity;

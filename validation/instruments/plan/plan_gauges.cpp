@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "seiche/geometry/bilinear_patch.hpp"
+#include "seiche/samples.hpp"
 
 namespace seiche::validation {
 namespace {
@@ -50,19 +51,14 @@ std::span<const double> PlanGauges::read(PlanSurface surface) {
 }
 
 std::size_t PlanGauges::nearest_cell(Point place, PlanSurface surface) const {
-  std::size_t nearest = 0;
-  double least = std::numeric_limits<double>::infinity();
+  Smallest nearest;
   for (std::size_t cell = 0; cell < shape_.cells(); ++cell) {
     const auto centre = [&](std::span<const double> values) {
       return mix(bilinear_patch::at_corners(values, shape_.corners(cell)), 0.5, 0.5);
     };
-    const double distance = std::hypot(centre(surface.x) - place.x, centre(surface.y) - place.y);
-    if (distance < least) {
-      least = distance;
-      nearest = cell;
-    }
+    nearest.add(distance({centre(surface.x), centre(surface.y)}, place), static_cast<double>(cell));
   }
-  return nearest;
+  return static_cast<std::size_t>(nearest.where());
 }
 
 double PlanGauges::read_one(std::size_t gauge, PlanSurface surface) {

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "seiche/exact/model_waves.hpp"
 #include "seiche/models/lagrangian_mesh_3d/flow.hpp"
 #include "seiche/samples.hpp"
-#include "validation/instruments/straight_line.hpp"
+#include "validation/instruments/oscillation.hpp"
+#include "validation/instruments/plan/oblique_wave.hpp"
 
 namespace seiche::validation {
 namespace {
@@ -28,20 +28,17 @@ Tank tank_of(const PlanSolitonRun& run) {
   return {-behind, -behind + run.spacing * static_cast<double>(columns), columns};
 }
 
-struct Motion {
-  double u, w;  ///< at the surface
-};
-
-Motion motion_at(const SerreSolitary& wave, double x) {
+/// At the surface.
+dispersive_shallow_water_2d::Velocity velocity_at(const SerreSolitary& wave, double x) {
   const double u = wave.depth_averaged_velocity(x);
-  return {u, (u - wave.speed()) * wave.elevation_slope(x)};
+  return {u, 0, (u - wave.speed()) * wave.elevation_slope(x)};
 }
 
-/// Top of the parabola through the highest node of the first `count` and its neighbours.
-void add_crest(SolitonTravel& result, double time, std::span<const double> x, std::span<const double> z,
-               std::size_t count) {
+/// Top of the parabola through the highest node of the south wall and its neighbours.
+void add_crest(SolitonTravel& result, double time, const SurfaceLattice& surface) {
+  const auto& [columns, rows, x, y, z] = surface;
   Largest highest;
-  for (std::size_t k = 1; k + 1 < count; ++k) highest.add(z[k], static_cast<double>(k));
+  for (std::size_t k = 1; k < columns; ++k) highest.add(z[k], static_cast<double>(k));
   const auto i = static_cast<std::size_t>(highest.where());
   const double left = (z[i] - z[i - 1]) / (x[i] - x[i - 1]);
   const double curvature = ((z[i + 1] - z[i]) / (x[i + 1] - x[i]) - left) / (x[i + 1] - x[i - 1]);
@@ -51,12 +48,12 @@ void add_crest(SolitonTravel& result, double time, std::span<const double> x, st
   result.height.push_back(z[i] + (top - x[i]) * (left + curvature * (top - x[i - 1])));
 }
 
-template <class Flow, class Crest>
-SolitonTravel travelled(Flow& flow, const PlanSolitonRun& run, const Crest& crest) {
+template <class Flow>
+SolitonTravel travelled(Flow& flow, const PlanSolitonRun& run) {
   SolitonTravel result{.settled = run.settled};
   long steps = 0;
   march(flow, run.time, run.tau, [&] {
-    crest(result);
+    add_crest(result, flow.time(), surface_of(flow));
     if (++steps % 5 == 0) flow.observe();
   });
   flow.observe();
@@ -75,8 +72,7 @@ std::span<const double> SolitonTravel::from_then(const std::vector<double>& valu
 }
 
 double SolitonTravel::mean_height() const {
-  const auto heights = from_then(height);
-  return std::accumulate(heights.begin(), heights.end(), 0.0) / static_cast<double>(heights.size());
+  return mean(from_then(height));
 }
 
 dispersive_shallow_water_2d::Flow plan_soliton_flow(const PlanSolitonRun& run) {
@@ -91,11 +87,7 @@ dispersive_shallow_water_2d::Flow plan_soliton_flow(const PlanSolitonRun& run) {
     lattice.x[k] = wave.place_of(lattice.x[k]);
     lattice.z[k] = wave.elevation(lattice.x[k]);
   }
-  return dispersive_shallow_water_2d::Flow(std::move(lattice),
-                                           [&](double x, double) {
-                                             const Motion motion = motion_at(wave, x);
-                                             return dispersive_shallow_water_2d::Velocity{motion.u, 0, motion.w};
-                                           },
+  return dispersive_shallow_water_2d::Flow(std::move(lattice), [&](double x, double) { return velocity_at(wave, x); },
                                            run.scheme, {.tolerance = run.tolerance});
 }
 
@@ -112,25 +104,20 @@ lagrangian_mesh_3d::Flow layered_soliton_flow(const PlanSolitonRun& run, std::si
     mesh.x[k] = wave.place_of(mesh.x[k]);
     mesh.z[k] += wave.elevation(mesh.x[k]) * (1 + mesh.z[k]);
   }
-  return lagrangian_mesh_3d::Flow(
-      std::move(mesh),
-      [&](lagrangian_mesh_3d::Place r) {
-        const Motion motion = motion_at(wave, r.x);
-        return lagrangian_mesh_3d::Vector{motion.u, 0, motion.w * (1 + r.z) / (1 + wave.elevation(r.x))};
-      },
-      run.scheme, {.tolerance = run.tolerance});
+  return lagrangian_mesh_3d::Flow(std::move(mesh),
+                                  [&](lagrangian_mesh_3d::Place r) {
+                                    const auto [u, v, w] = velocity_at(wave, r.x);
+                                    return lagrangian_mesh_3d::Vector{u, v, w * (1 + r.z) / (1 + wave.elevation(r.x))};
+                                  },
+                                  run.scheme, {.tolerance = run.tolerance});
 }
 
 SolitonTravel travel(dispersive_shallow_water_2d::Flow& flow, const PlanSolitonRun& run) {
-  return travelled(flow, run, [&](SolitonTravel& result) {
-    add_crest(result, flow.time(), flow.x(), flow.z(), flow.shape().columns + 1);
-  });
+  return travelled(flow, run);
 }
 
 SolitonTravel travel(lagrangian_mesh_3d::Flow& flow, const PlanSolitonRun& run) {
-  return travelled(flow, run, [&](SolitonTravel& result) {
-    add_crest(result, flow.time(), flow.surface_x(), flow.surface_z(), flow.shape().columns + 1);
-  });
+  return travelled(flow, run);
 }
 
 }  // namespace seiche::validation

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include <fmt/format.h>
@@ -15,6 +14,7 @@ namespace seiche::validation {
 namespace {
 
 constexpr std::size_t fewest_rows = 4;
+constexpr ReflectionBands bands;
 
 /// Value below which a fraction of the sorted values lies, between them linearly.
 double quantile(const std::vector<double>& sorted, double fraction) {
@@ -25,7 +25,7 @@ double quantile(const std::vector<double>& sorted, double fraction) {
 }
 
 evidence::Measurement median_height(const std::vector<Crest>& crests) {
-  std::vector<double> heights = each(crests, [&](const Crest& crest) { return crest.height; });
+  std::vector<double> heights = each(crests, &Crest::height);
   std::sort(heights.begin(), heights.end());
   return {.value = quantile(heights, 0.5),
           .uncertainty = 0.5 * (quantile(heights, 0.84) - quantile(heights, 0.16)),
@@ -33,12 +33,7 @@ evidence::Measurement median_height(const std::vector<Crest>& crests) {
 }
 
 StraightLine line_through(const std::vector<Crest>& crests) {
-  std::vector<double> x, y;
-  for (const Crest& crest : crests) {
-    x.push_back(crest.x);
-    y.push_back(crest.y);
-  }
-  return straight_line_of_curve(y, x);
+  return straight_line_of_curve(each(crests, &Crest::y), each(crests, &Crest::x));
 }
 
 struct Place {
@@ -77,7 +72,7 @@ evidence::Measurement ratio(const evidence::Measurement& over, const evidence::M
 struct Found {
   std::vector<Place> incident, reflected;
 };
-Found find_crests(const SurfaceLattice& surface, double amplitude, const ReflectionBands& bands) {
+Found find_crests(const SurfaceLattice& surface, double amplitude) {
   Found found;
   std::vector<std::pair<double, Place>> reflected;
   double height = 0;
@@ -113,17 +108,15 @@ evidence::Measurement ReflectionPattern::reflected_ratio() const {
   return ratio(reflected->amplitude, incident_amplitude);
 }
 
-ReflectionPattern measured_reflection(const SurfaceLattice& surface, double amplitude, const ReflectionBands& bands) {
+ReflectionPattern measured_reflection(const SurfaceLattice& surface, double amplitude) {
   require_complete(surface);
   require_positive("amplitude", amplitude);
-  require_within("incident_to", bands.incident_to, bands.incident_from, 1);
-  require_within("farthest", bands.farthest, bands.nearest, std::numeric_limits<double>::max());
   ReflectionPattern pattern;
   pattern.wall = wall_crest(surface, bands.wall * amplitude);
   const double finer = five_node_height(surface, pattern.wall, 0);
   pattern.wall_amplitude = {
       .value = pattern.wall.height, .uncertainty = std::abs(finer - pattern.wall.height), .resolution = {}};
-  const Found found = find_crests(surface, amplitude, bands);
+  const Found found = find_crests(surface, amplitude);
   if (found.incident.size() < fewest_rows) {
     throw std::runtime_error(fmt::format(
         "{} rows between {:g} and {:g} of the grid's height have a crest: at least {} are needed for the incident wave",

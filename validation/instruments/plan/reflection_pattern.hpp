@@ -66,7 +66,6 @@ struct ReflectionPattern {
 /// @param amplitude  nominal a of the incident wave, in depths: scales thresholds and distances, nothing else
 /// Throws std::invalid_argument for an incomplete lattice, std::runtime_error if there is no crest on the wall or fewer
 /// than 4 front crests in the band.
-ReflectionPattern measured_reflection(const SurfaceLattice& surface, double amplitude,
-                                      const ReflectionBands& bands = {});
+ReflectionPattern measured_reflection(const SurfaceLattice& surface, double amplitude);
 
 }  // namespace seiche::validation

@@ -77,25 +77,25 @@ Crest refined_crest(const SurfaceLattice& surface, std::size_t column, std::size
   return crest;
 }
 
-std::vector<Crest> row_crests(const SurfaceLattice& surface, std::size_t j, double threshold, double lean) {
+std::vector<Crest> row_crests(const SurfaceLattice& surface, std::size_t j, double threshold) {
   std::vector<Crest> crests;
   for (std::size_t i = surface.columns - 1; i > 0; --i) {
     const std::size_t n = surface.node(i, j);
     // Of two equal nodes the one behind is the crest.
     if (surface.z[n] > threshold && surface.z[n] >= surface.z[n + 1] && surface.z[n] > surface.z[n - 1]) {
-      crests.push_back(refined_crest(surface, i, j, lean));
+      crests.push_back(refined_crest(surface, i, j, 0));
     }
   }
   return crests;
 }
 
-double five_node_height(const SurfaceLattice& surface, const Crest& crest, std::size_t j, double lean) {
+double five_node_height(const SurfaceLattice& surface, const Crest& crest, std::size_t j) {
   const std::size_t first = std::clamp<std::size_t>(crest.column, 2, surface.columns - 2) - 2;
   std::array<double, 5> s{};
   std::array<double, 5> z{};
   for (std::size_t k = 0; k < 5; ++k) {
     const std::size_t n = surface.node(first + k, j);
-    s[k] = (surface.x[n] - crest.x) - lean * (surface.y[n] - crest.y);
+    s[k] = surface.x[n] - crest.x;
     z[k] = surface.z[n];
   }
   const double reach = 0.25 * (s[4] - s[0]);

@@ -23,15 +23,15 @@ struct Crest {
 void require_complete(const SurfaceLattice& surface);
 
 /// Crests of row j higher than `threshold`, from the front (largest x) backwards.
-std::vector<Crest> row_crests(const SurfaceLattice& surface, std::size_t j, double threshold, double lean = 0);
+std::vector<Crest> row_crests(const SurfaceLattice& surface, std::size_t j, double threshold);
 
 /// The crest whose highest node is (column, j), 0 < column < columns. Throws std::invalid_argument if the x - lean y of
 /// its neighbours do not increase.
-Crest refined_crest(const SurfaceLattice& surface, std::size_t column, std::size_t j, double lean = 0);
+Crest refined_crest(const SurfaceLattice& surface, std::size_t column, std::size_t j, double lean);
 
 /// Highest value of the polynomial through the five nodes about a crest's highest node: right to sixth order in the
 /// spacing. Its difference from the crest's height is what the parabola misses.
-double five_node_height(const SurfaceLattice& surface, const Crest& crest, std::size_t j, double lean = 0);
+double five_node_height(const SurfaceLattice& surface, const Crest& crest, std::size_t j);
 
 /// The foremost crest on the wall that is higher than `threshold`: farther back may be others, of waves that return
 /// from a lattice's far side or hit its rear. Throws std::runtime_error if there is none.

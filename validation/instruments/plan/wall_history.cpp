@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 #include <vector>
 
@@ -10,6 +9,8 @@
 #include <boost/math/tools/minima.hpp>
 
 #include "seiche/samples.hpp"
+#include "validation/instruments/agreement.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/instruments/straight_line.hpp"
 
 namespace seiche::validation {
@@ -55,28 +56,19 @@ Approach best_approach(Series series, Decay decay, double slowest, double fastes
     const double rate = std::exp(log_rate);
     std::transform(series.time.begin(), series.time.end(), f.begin(), [&](double t) { return decay(t, rate); });
     const StraightLine line = straight_line(f, series.amplitude);
-    double squares = 0;
-    for (std::size_t k = 0; k < f.size(); ++k) {
-      squares += (series.amplitude[k] - line.at(f[k])) * (series.amplitude[k] - line.at(f[k]));
-    }
-    return Approach{line.at(0), rate, std::sqrt(squares / static_cast<double>(f.size())), true};
+    const auto left = [&](std::size_t k) { return series.amplitude[k] - line.at(f[k]); };
+    return Approach{line.at(0), rate, over<Mean>(indices(f.size()), left).rms(), true};
   };
   // The misfit may have several minima in noise: the lowest of a scan, then refined.
   constexpr int scanned = 40;
   const double low = std::log(slowest);
   const double step = (std::log(fastest) - low) / scanned;
-  int best = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (int k = 0; k <= scanned; ++k) {
-    const double misfit = at_rate(low + k * step).misfit;
-    if (misfit < least) {
-      least = misfit;
-      best = k;
-    }
-  }
-  const auto [log_rate, misfit] = boost::math::tools::brent_find_minima([&](double s) { return at_rate(s).misfit; },
-                                                                        low + std::max(best - 1, 0) * step,
-                                                                        low + std::min(best + 1, scanned) * step, 30);
+  Smallest least;
+  for (int k = 0; k <= scanned; ++k) least.add(at_rate(low + k * step).misfit, k);
+  const double best = least.where();
+  const auto [log_rate, misfit] = boost::math::tools::brent_find_minima(
+      [&](double s) { return at_rate(s).misfit; }, low + std::max(best - 1, 0.0) * step,
+      low + std::min(best + 1, double{scanned}) * step, 30);
   Approach approach = at_rate(log_rate);
   approach.bends = log_rate > low + 0.5 * step;
   return approach;
@@ -101,20 +93,12 @@ Approach algebraic(Series series) {
 
 double growth_of_last_fifth(std::span<const double> time, std::span<const double> amplitude) {
   require_series(time, amplitude, 2);
-  const double when = std::lerp(time.front(), time.back(), 0.8);
-  const auto after = static_cast<std::size_t>(std::upper_bound(time.begin(), time.end() - 1, when) - time.begin());
-  const double share = (when - time[after - 1]) / (time[after] - time[after - 1]);
-  return 1 - std::lerp(amplitude[after - 1], amplitude[after], share) / amplitude.back();
+  return 1 - linear_at({time, amplitude}, std::lerp(time.front(), time.back(), 0.8)) / amplitude.back();
 }
 
 Approach exponential_approach(std::span<const double> time, std::span<const double> amplitude) {
   require_series(time, amplitude, 4);
   return exponential({time, amplitude});
-}
-
-Approach algebraic_approach(std::span<const double> time, std::span<const double> amplitude) {
-  require_series(time, amplitude, 4);
-  return algebraic({time, amplitude});
 }
 
 WallLimit wall_limit(std::span<const double> time, std::span<const double> amplitude, std::optional<double> rate) {

@@ -34,9 +34,6 @@ inline constexpr double steady_growth = 0.01;
 
 /// (a(end) - a(4/5 of the time))/a(end).
 double growth_of_last_fifth(std::span<const double> time, std::span<const double> amplitude);
-inline bool is_steady(double growth) {
-  return growth <= steady_growth && growth >= -steady_growth;
-}
 
 /// a_inf - C f(t) by least squares.
 struct Approach {
@@ -46,8 +43,6 @@ struct Approach {
   bool bends = false;  ///< the rate is inside the range that the series can tell from a straight line
 };
 Approach exponential_approach(std::span<const double> time, std::span<const double> amplitude);
-/// Times must be positive.
-Approach algebraic_approach(std::span<const double> time, std::span<const double> amplitude);
 
 struct WallLimit {
   evidence::Measurement amplitude;  ///< a_w for t -> infinity
@@ -55,7 +50,7 @@ struct WallLimit {
   Approach exponential;             ///< on the last half
   Approach algebraic;
 
-  [[nodiscard]] bool steady() const { return is_steady(growth); }
+  [[nodiscard]] bool steady() const { return growth <= steady_growth && growth >= -steady_growth; }
 };
 
 /// @param time       increasing, from the moment the wave met the wall; at least 20

@@ -12,7 +12,6 @@
 #include "seiche/models/shallow_water_particles/particles.hpp"
 #include "seiche/require.hpp"
 #include "seiche/samples.hpp"
-#include "validation/instruments/each.hpp"
 #include "validation/instruments/particles/as_written.hpp"
 #include "validation/instruments/processor_time.hpp"
 
@@ -46,13 +45,12 @@ particles::Particles initial_particles(const FlowProblem& problem, const Discret
 }
 
 particles::Scheme particle_scheme(const Discretisation& d) {
-  particles::Scheme scheme;
-  scheme.level = d.scheme == "G1"   ? particles::Level::godunov
-                 : d.scheme == "M2" ? particles::Level::muscl
-                                    : particles::Level::hand_over;
-  scheme.theta = d.theta;
-  scheme.courant = d.courant;
-  return scheme;
+  using enum particles::Level;
+  return {.level = d.scheme == "G1"   ? godunov
+                   : d.scheme == "M2" ? muscl
+                                      : hand_over,
+          .theta = d.theta,
+          .courant = d.courant};
 }
 
 particles::End particle_end(FlowProblem::End kind, State at_start) {
@@ -66,26 +64,6 @@ particles::Ends particle_ends(const FlowProblem& problem) {
           .right = particle_end(problem.right, problem.exact(problem.end, 0))};
 }
 
-class ParticleRun : public Flow {
- public:
-  ParticleRun(const FlowProblem& problem, const Discretisation& d)
-      : Flow(d, problem.gravity),
-        flow_(initial_particles(problem, d), particle_ends(problem),
-              {.gravity = problem.gravity, .bed = {}, .manning = 0, .body_force = {}}, particle_scheme(d)) {}
-
-  [[nodiscard]] double time() const override { return flow_.time(); }
-  [[nodiscard]] Profile profile() const override { return flow_.measured_profile(); }
-  [[nodiscard]] double mass_defect() const override { return flow_.mass_defect(); }
-  [[nodiscard]] double momentum_defect() const override { return flow_.momentum_defect(); }
-  [[nodiscard]] double max_courant() const override { return flow_.largest_courant(); }
-
- private:
-  void step(double tau) override { flow_.advance(tau); }
-  [[nodiscard]] double largest_step(double /*courant*/) const override { return flow_.largest_step().tau; }
-
-  particles::ParticleFlow flow_;
-};
-
 /// Of a method that has no curve of its own between edges. @param mean  state of cell i
 template <class MeanOf>
 Profile stepwise(const std::vector<double>& edges, MeanOf mean) {
@@ -98,41 +76,6 @@ Profile stepwise(const std::vector<double>& edges, MeanOf mean) {
   };
   return profile;
 }
-
-class AsWrittenRun : public Flow {
- public:
-  AsWrittenRun(const FlowProblem& problem, const Discretisation& d)
-      : Flow(d, problem.gravity), flow_(initial_particles(problem, d), particle_ends(problem), problem.gravity) {}
-
-  [[nodiscard]] double time() const override { return flow_.time(); }
-  [[nodiscard]] Profile profile() const override {
-    return stepwise(flow_.edges(), [&](std::size_t i) { return State{flow_.depth(i), flow_.velocity(i)}; });
-  }
-  [[nodiscard]] double mass_defect() const override { return mass() - initial_mass_; }
-  [[nodiscard]] double momentum_defect() const override { return flow_.momentum_defect(); }
-  [[nodiscard]] double max_courant() const override { return max_courant_.value(); }
-
- private:
-  void step(double tau) override {
-    max_courant_.add(tau / largest_step(1));
-    flow_.advance(tau);
-  }
-  [[nodiscard]] double largest_step(double courant) const override {
-    const auto crossing = [&](std::size_t i) {
-      return flow_.mass(i) / flow_.depth(i) / shallow_water::celerity(gravity(), flow_.depth(i));
-    };
-    return courant * over<Smallest>(indices(flow_.size()), crossing).value();
-  }
-  [[nodiscard]] double mass() const {
-    double sum = 0;
-    for (std::size_t i = 0; i < flow_.size(); ++i) sum += flow_.mass(i);
-    return sum;
-  }
-
-  AsWritten flow_;
-  double initial_mass_ = mass();
-  Largest max_courant_;
-};
 
 // ---- cells
 
@@ -178,25 +121,50 @@ cells::FiniteVolumeFlow cell_flow(const FlowProblem& problem, const Discretisati
   return {settings, problem.start, problem.end, depth, discharge};
 }
 
-class CellRun : public Flow {
+// ---- all
+
+Profile profile_of(const particles::ParticleFlow& flow) {
+  return flow.measured_profile();
+}
+Profile profile_of(const AsWritten& flow) {
+  return stepwise(flow.edges(), [&](std::size_t i) { return State{flow.depth(i), flow.velocity(i)}; });
+}
+Profile profile_of(const cells::FiniteVolumeFlow& flow) {
+  return stepwise(flow.edges(), [&](std::size_t i) { return State{flow.depth()[i], flow.velocity()[i]}; });
+}
+
+double largest_step_of(const particles::ParticleFlow& flow, double /*courant*/) {
+  return flow.largest_step().tau;  // it knows its Courant number
+}
+double largest_step_of(const AsWritten& flow, double courant) {
+  return courant * flow.shortest_crossing();
+}
+double largest_step_of(const cells::FiniteVolumeFlow& flow, double courant) {
+  return courant / flow.courant_number(1);
+}
+
+template <class Model>
+class FlowBy final : public Flow {
  public:
-  CellRun(const FlowProblem& problem, const Discretisation& d)
-      : Flow(d, problem.gravity), flow_(cell_flow(problem, d)) {}
+  FlowBy(Discretisation d, double gravity, Model model) : Flow(std::move(d), gravity), flow_(std::move(model)) {}
 
   [[nodiscard]] double time() const override { return flow_.time(); }
-  [[nodiscard]] Profile profile() const override {
-    return stepwise(flow_.edges(), [&](std::size_t i) { return State{flow_.depth()[i], flow_.velocity()[i]}; });
-  }
+  [[nodiscard]] Profile profile() const override { return profile_of(flow_); }
   [[nodiscard]] double mass_defect() const override { return flow_.mass_defect(); }
   [[nodiscard]] double momentum_defect() const override { return flow_.momentum_defect(); }
   [[nodiscard]] double max_courant() const override { return flow_.largest_courant(); }
 
  private:
   void step(double tau) override { flow_.advance(tau); }
-  [[nodiscard]] double largest_step(double courant) const override { return courant / flow_.courant_number(1.0); }
+  [[nodiscard]] double largest_step(double courant) const override { return largest_step_of(flow_, courant); }
 
-  cells::FiniteVolumeFlow flow_;
+  Model flow_;
 };
+
+template <class Model>
+std::unique_ptr<Flow> flow_by(Model model, const FlowProblem& problem, const Discretisation& d) {
+  return std::make_unique<FlowBy<Model>>(d, problem.gravity, std::move(model));
+}
 
 }  // namespace
 
@@ -236,9 +204,16 @@ double Flow::momentum_scale() const {
 std::unique_ptr<Flow> make_flow(const FlowProblem& problem, const Discretisation& d) {
   require_at_least("particles", d.particles, 4);
   require_not_negative("time_step", d.time_step);
-  if (d.scheme == as_written) return std::make_unique<AsWrittenRun>(problem, d);
-  if (std::ranges::count(particle_schemes, d.scheme) > 0) return std::make_unique<ParticleRun>(problem, d);
-  if (std::ranges::count(peer_schemes, d.scheme) > 0) return std::make_unique<CellRun>(problem, d);
+  if (d.scheme == as_written) {
+    return flow_by(AsWritten(initial_particles(problem, d), particle_ends(problem), problem.gravity), problem, d);
+  }
+  if (std::ranges::count(particle_schemes, d.scheme) > 0) {
+    return flow_by(particles::ParticleFlow(initial_particles(problem, d), particle_ends(problem),
+                                           {.gravity = problem.gravity, .bed = {}, .manning = 0, .body_force = {}},
+                                           particle_scheme(d)),
+                   problem, d);
+  }
+  if (std::ranges::count(peer_schemes, d.scheme) > 0) return flow_by(cell_flow(problem, d), problem, d);
   throw std::invalid_argument(fmt::format("scheme = {} is unknown", d.scheme));
 }
 

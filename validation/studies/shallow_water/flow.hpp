@@ -54,7 +54,6 @@ struct Discretisation {
 /// A flow being computed.
 class Flow {
  public:
-  Flow() = default;
   Flow(const Flow&) = delete;
   Flow& operator=(const Flow&) = delete;
   Flow(Flow&&) = delete;
@@ -74,8 +73,6 @@ class Flow {
   [[nodiscard]] long steps() const { return steps_; }
   /// Processor time spent in steps [s].
   [[nodiscard]] double seconds() const { return seconds_; }
-  [[nodiscard]] const Discretisation& discretisation() const { return discretisation_; }
-  [[nodiscard]] double gravity() const { return gravity_; }
 
  protected:
   Flow(Discretisation discretisation, double gravity) : discretisation_(std::move(discretisation)), gravity_(gravity) {}

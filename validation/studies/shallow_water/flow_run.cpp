@@ -165,42 +165,37 @@ void claim_as_written(const Claims<FlowRun>& all, const Values& values, const st
 }
 
 void claim_single_particle(const Claims<FlowRun>& claims, const Front& front) {
-  claims.at(resolution_of)
-      .from("the hand-over of section 3 of the paper")
-      .check(
-          "width", "The width of the bore is a single particle.",
-          "particles between 5 % and 95 % of the depth difference",
-          [front](const FlowRun& flow) { return front_width(flow.profile(), front); },
-          Bound{.limit = 1, .reason = "one particle holds the bore; none at the instant of hand-over"});
+  const auto about = claims.at(resolution_of).from("the hand-over of section 3 of the paper");
+  about.check(
+      "width", "The width of the bore is a single particle.", "particles between 5 % and 95 % of the depth difference",
+      [front](const FlowRun& flow) { return front_width(flow.profile(), front); },
+      Bound{.limit = 1, .reason = "one particle holds the bore; none at the instant of hand-over"});
 }
 
 void claim_exact_profile(const Claims<FlowRun>& claims, double deepest, const Discretisation& discretisation,
                          double time) {
-  claims.at(resolution_of)
-      .from("jump conditions (11) of the paper")
-      .check(
-          "reconstructed_l1_h", "The reconstructed profile equals the exact solution to round-off.",
-          "reconstructed L1(h) [m]", [](const FlowRun& flow) { return flow.errors.reconstructed.depth.l1; },
-          Roundoff{.operations =
-                       8 * std::round(time / discretisation.time_step) * static_cast<double>(discretisation.particles),
-                   .scale = deepest,
-                   .reason = "eight rounded operations per step, and per particle that the jump has passed"});
+  const auto about = claims.at(resolution_of).from("jump conditions (11) of the paper");
+  about.check(
+      "reconstructed_l1_h", "The reconstructed profile equals the exact solution to round-off.",
+      "reconstructed L1(h) [m]", [](const FlowRun& flow) { return flow.errors.reconstructed.depth.l1; },
+      Roundoff{
+          .operations = 8 * std::round(time / discretisation.time_step) * static_cast<double>(discretisation.particles),
+          .scale = deepest,
+          .reason = "eight rounded operations per step, and per particle that the jump has passed"});
 }
 
 void claim_range(const Claims<FlowRun>& claims, double lowest, double highest, const Discretisation& discretisation,
                  double time, const std::string& source) {
-  claims.at(resolution_of)
-      .from(source)
-      .check(
-          "range", "Depths stay within the range of the exact solution to round-off.",
-          "largest depth outside the range [m]",
-          [lowest, highest](const FlowRun& flow) { return excursion(flow.profile(), lowest, highest); },
-          // Depth is mass over width: the rounding of two edges of the size of the channel counts N times.
-          Roundoff{.operations = std::round(time / discretisation.time_step),
-                   .scale = highest * static_cast<double>(discretisation.particles),
-                   .reason =
-                       "edges as large as the channel are rounded once per step, and a width is their difference, N "
-                       "times smaller"});
+  const auto about = claims.at(resolution_of).from(source);
+  about.check(
+      "range", "Depths stay within the range of the exact solution to round-off.",
+      "largest depth outside the range [m]",
+      [lowest, highest](const FlowRun& flow) { return excursion(flow.profile(), lowest, highest); },
+      // Depth is mass over width: the rounding of two edges of the size of the channel counts N times.
+      Roundoff{.operations = std::round(time / discretisation.time_step),
+               .scale = highest * static_cast<double>(discretisation.particles),
+               .reason = "edges as large as the channel are rounded once per step, and a width is their difference, N "
+                         "times smaller"});
 }
 
 void draw_exact(evidence::Figure& figure, const FlowProblem& problem, double time, const std::string& title) {

@@ -5,6 +5,16 @@
 
 namespace seiche::validation {
 
+void ProfileCurve::add(double place, State state) {
+  x.push_back(place);
+  depth.push_back(state.depth);
+  velocity.push_back(state.velocity);
+}
+
+double centre_of(const Profile& profile, std::size_t cell) {
+  return 0.5 * (profile.edges[cell] + profile.edges[cell + 1]);
+}
+
 ProfileCurve exact_curve(const FlowProblem& problem, double from, double to, double t) {
   constexpr int samples = 400;
   std::vector<double> x;
@@ -15,12 +25,8 @@ ProfileCurve exact_curve(const FlowProblem& problem, double from, double to, dou
     x.insert(x.end(), {p - hair, p + hair});
   }
   std::sort(x.begin(), x.end());
-  ProfileCurve curve{.x = x, .depth = {}, .velocity = {}};
-  for (const double at : x) {
-    const State s = problem.exact(at, t);
-    curve.depth.push_back(s.depth);
-    curve.velocity.push_back(s.velocity);
-  }
+  ProfileCurve curve;
+  for (const double at : x) curve.add(at, problem.exact(at, t));
   return curve;
 }
 
@@ -42,23 +48,14 @@ ProfileCurve computed_curve(const Profile& profile) {
       if (p > a && p < b) places.insert(places.end(), {p - hair, p + hair});
     }
     std::sort(places.begin(), places.end());
-    for (const double x : places) {
-      const State s = profile.reconstruction(x);
-      curve.x.push_back(x);
-      curve.depth.push_back(s.depth);
-      curve.velocity.push_back(s.velocity);
-    }
+    for (const double x : places) curve.add(x, profile.reconstruction(x));
   }
   return curve;
 }
 
 ProfileCurve means_of(const Profile& profile) {
   ProfileCurve means;
-  for (std::size_t i = 0; i < profile.means.size(); ++i) {
-    means.x.push_back(0.5 * (profile.edges[i] + profile.edges[i + 1]));
-    means.depth.push_back(profile.means[i].depth);
-    means.velocity.push_back(profile.means[i].velocity);
-  }
+  for (std::size_t i = 0; i < profile.means.size(); ++i) means.add(centre_of(profile, i), profile.means[i]);
   return means;
 }
 
@@ -81,7 +78,7 @@ Worst excursion(const Profile& profile, double lowest, double highest) {
   Worst outside;
   for (std::size_t i = 0; i < profile.means.size(); ++i) {
     const double depth = profile.means[i].depth;
-    outside.add(depth - std::clamp(depth, lowest, highest), 0.5 * (profile.edges[i] + profile.edges[i + 1]));
+    outside.add(depth - std::clamp(depth, lowest, highest), centre_of(profile, i));
   }
   return outside;
 }
@@ -120,9 +117,8 @@ double front_position(const Profile& profile, const Front& front) {
     const double a = profile.means[i].depth - middle;
     const double b = profile.means[i + 1].depth - middle;
     if (a * b > 0 || a == b) continue;
-    const double left = 0.5 * (profile.edges[i] + profile.edges[i + 1]);
-    const double right = 0.5 * (profile.edges[i + 1] + profile.edges[i + 2]);
-    consider(left + (right - left) * a / (a - b));
+    const double left = centre_of(profile, i);
+    consider(left + (centre_of(profile, i + 1) - left) * a / (a - b));
   }
   return nearest.where();
 }

@@ -12,6 +12,8 @@ namespace seiche::validation {
 /// Depth and velocity along x.
 struct ProfileCurve {
   std::vector<double> x, depth, velocity;
+
+  void add(double place, State state);
 };
 
 /// On [from, to], sampled densely and at both sides of every breakpoint.
@@ -22,6 +24,8 @@ ProfileCurve exact_curve(const FlowProblem& problem, const Profile& profile, dou
 /// The method's own curve: its reconstruction, sampled within every cell.
 ProfileCurve computed_curve(const Profile& profile);
 
+/// Of a cell.
+double centre_of(const Profile& profile, std::size_t cell);
 /// Mean values at the centres of the cells.
 ProfileCurve means_of(const Profile& profile);
 

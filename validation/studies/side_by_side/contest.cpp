@@ -32,23 +32,12 @@ std::string cause_of(const Divergence& divergence) {
   return words.substr(0, words.rfind(" at x = "));
 }
 
-}  // namespace
-
-evidence::ObservedOrder Entry::order() const {
-  return evidence::observed_order(each(attempts, &Attempt::size), each(attempts, &Attempt::error));
-}
-
-const Entry& Contest::of(const std::string& id) const {
-  const auto found = std::ranges::find(entries_, id, &Entry::id);
-  if (found != entries_.end()) return *found;
-  throw std::logic_error("unknown model of the comparison \"" + id + "\"");
-}
-
-Attempt attempt(const std::function<Racer()>& start, const Trial& trial, bool may_refuse) {
+/// One racer on its way.
+Attempt attempt(const Contender& contender, long resolution, const Trial& trial) {
   Attempt result{.error = nan, .uncertainty = nan, .energy = nan, .momentum = nan, .asked = trial.last};
   double began = processor_seconds();
   try {
-    const Racer racer = start();
+    const Racer racer = contender.start(resolution);
     result.seconds = processor_seconds() - began;
     const Sight first = racer.look();
     const double interval = trial.last / static_cast<double>(trial.looks);
@@ -81,10 +70,22 @@ Attempt attempt(const std::function<Racer()>& start, const Trial& trial, bool ma
       result.cause = cause_of(divergence);
     }
   } catch (const std::invalid_argument& refusal) {
-    if (!may_refuse) throw;
+    if (!contender.may_refuse) throw;
     result.cause = fmt::format("cannot start: {}", refusal.what());
   }
   return result;
+}
+
+}  // namespace
+
+evidence::ObservedOrder Entry::order() const {
+  return evidence::observed_order(each(attempts, &Attempt::size), each(attempts, &Attempt::error));
+}
+
+const Entry& Contest::of(const std::string& id) const {
+  const auto found = std::ranges::find(entries_, id, &Entry::id);
+  if (found != entries_.end()) return *found;
+  throw std::logic_error("unknown model of the comparison \"" + id + "\"");
 }
 
 Contest contest(const Run& run, const std::vector<Contender>& contenders, const Trial& trial) {
@@ -101,7 +102,7 @@ Contest contest(const Run& run, const std::vector<Contender>& contenders, const 
     Entry& entry = entries.emplace_back(Entry{one.id, one.name, one.size_of, one.role, {}});
     for (const long n : one.resolutions) {
       work.emplace_back([&entry, &one, &trial, n] {
-        entry.attempts.push_back(attempt([&] { return one.start(n); }, trial, one.may_refuse));
+        entry.attempts.push_back(attempt(one, n, trial));
         entry.attempts.back().size = one.size(n);
       });
     }

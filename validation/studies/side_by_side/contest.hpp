@@ -86,7 +86,6 @@ class Contest {
   Contest(std::vector<Entry> entries, Trial trial) : entries_(std::move(entries)), trial_(std::move(trial)) {}
 
   [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
-  [[nodiscard]] const Trial& trial() const { return trial_; }
   /// Throws std::logic_error for a name that no entry has.
   [[nodiscard]] const Entry& of(const std::string& id) const;
 
@@ -100,8 +99,6 @@ class Contest {
 
 /// Throws std::invalid_argument where the models are compared later than they are followed.
 Contest contest(const Run& run, const std::vector<Contender>& contenders, const Trial& trial);
-/// One racer on its way, as contest() follows it.
-Attempt attempt(const std::function<Racer()>& start, const Trial& trial, bool may_refuse = false);
 
 /// Resolutions up to the finest, in parts of it.
 std::vector<long> ladder_to(long finest, const std::vector<double>& parts);

@@ -130,11 +130,7 @@ Racer start_dispersive(const TankWave& wave, const DispersiveStart& start, long 
   using dispersive_shallow_water_1d::Flow;
   const double spacing = 1 / static_cast<double>(markers);
   const auto flow = std::make_shared<Flow>(start(spacing));
-  return {[flow, spacing](double time) { march(*flow, time, 0.25 * spacing); },
-          [flow, &wave] {
-            return Sight{.off = wave.off(joined({flow->x(), flow->y()}), flow->time()), .energy = flow->energy()};
-          },
-          [flow] { return momentum_of(*flow); }};
+  return racer_of(flow, wave, 0.25 * spacing, [](const Flow& f) { return joined({f.x(), f.y()}); });
 }
 
 }  // namespace

@@ -6,8 +6,16 @@
 
 namespace seiche::validation {
 
-void exchange(Tape& tape, wcsph::Particles& particles);
+inline void exchange(Tape& tape, wcsph::Particles& p) {
+  tape(p.x, p.z, p.u, p.w, p.density, p.mass, p.kind, p.body, p.identity);
+}
 /// What is read goes on as what was written would have: the same bytes.
-void exchange(Tape& tape, wcsph::Flow& flow);
+inline void exchange(Tape& tape, wcsph::Flow& flow) {
+  wcsph::FlowState state;
+  if (!tape.reading()) state = flow.state();
+  tape(state.parameters, state.particles, state.reference_x, state.reference_z, state.listed, state.half_travel,
+       state.time, state.steps, state.extremes);
+  if (tape.reading()) flow.resume(state);
+}
 
 }  // namespace seiche::validation
