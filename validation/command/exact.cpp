@@ -197,7 +197,7 @@ std::vector<std::vector<double>> rows_of(const exact::Evaluator& evaluator, cons
       add(point, evaluator.eval(point));
     } catch (const exact::OutsideFluid&) {
       if (rows.size() < one_by_one) throw;
-      add(point, std::vector<double>(outputs, std::numeric_limits<double>::quiet_NaN()));
+      add(point, std::vector<double>(outputs, validation::nan));
     }
   }
   return rows;
@@ -257,9 +257,7 @@ int exact_command(const ExactOptions& options) {
   }
   // Without points the scalars are what is left to print; a solution without scalars is evaluated at the defaults.
   if (points.empty() && (solution.inputs.empty() || solution.scalars.empty())) {
-    Point defaults;
-    for (const auto& input : solution.inputs) defaults.push_back(input.default_value);
-    points.push_back(defaults);
+    points.push_back(default_point(solution));
   }
   if (options.integrals || points.empty()) {
     result.scalars = evaluator.scalars();

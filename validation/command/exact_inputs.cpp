@@ -6,13 +6,13 @@
 #include <numbers>
 #include <optional>
 #include <set>
-#include <stdexcept>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "seiche/io/atomic_file.hpp"
 #include "validation/command/exact_points.hpp"
+#include "validation/command/settings.hpp"
 #include "validation/scoring/solver_inputs.hpp"
 
 namespace seiche::command {
@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 /// Index of an input or output.
 template <class Named>
 std::optional<std::size_t> index_of(const std::vector<Named>& all, std::string_view name) {
-  const auto found = std::find_if(all.begin(), all.end(), [&](const Named& one) { return one.name == name; });
+  const auto found = std::ranges::find(all, name, &Named::name);
   return found == all.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - all.begin()));
 }
 
@@ -55,14 +55,10 @@ class Water {
     surface_ = output("eta"), depth_ = output("h"), bed_ = output("z"), velocity_ = {output("u"), {}, {}};
     velocity_[height_ ? 2 : 1] = y ? output("v") : std::nullopt;
     if (!x_ || !(surface_ || depth_)) {
-      throw std::invalid_argument(fmt::format(
-          "{}: cannot write initial conditions, this solution does not define the free surface as a function of x",
-          solution.name));
+      fail("{}: cannot write initial conditions, this solution does not define the free surface as a function of x",
+           solution.name);
     }
-    if (!velocity_[0]) {
-      throw std::invalid_argument(
-          fmt::format("{}: has no velocity field, needed for initial conditions", solution.name));
-    }
+    if (!velocity_[0]) fail("{}: has no velocity field, needed for initial conditions", solution.name);
     evaluator_ = solution.evaluator(parameters);
     const auto depth = parameters.find("depth");
     const auto mean = index_of(solution.scalars, "mean_depth");
@@ -78,8 +74,7 @@ class Water {
 
   /// At a height, or at the surface.
   [[nodiscard]] Flow flow(double x, double across = 0, std::optional<double> height = {}) const {
-    Point point;
-    for (const exact::Coordinate& input : solution_.inputs) point.push_back(input.default_value);
+    Point point = default_point(solution_);
     point[*x_] = x;
     if (t_) point[*t_] = time_;
     if (height_ && height) point[*height_] = *height;
@@ -132,10 +127,8 @@ fs::path write(const InputOptions& options, const std::string& name, const std::
 }
 
 std::vector<fs::path> write_openfoam(Water& water, const InputOptions& options) {
-  if (options.centres.empty()) {
-    throw std::invalid_argument(
-        "--write openfoam: --centres FILE is missing: the field C that 'postProcess -func writeCellCentres' writes");
-  }
+  if (options.centres.empty())
+    fail("--write openfoam: --centres FILE is missing: the field C that 'postProcess -func writeCellCentres' writes");
   const std::size_t up = options.up == "y" ? 1 : 2;
   const std::size_t across = 3 - up;
   const double hand = up == 2 ? 1 : -1;  // x, across, up are right-handed in both
@@ -150,9 +143,8 @@ std::vector<fs::path> write_openfoam(Water& water, const InputOptions& options) 
     const double y = hand * centres[i][across];
     const Water::Flow column = water.flow(x, y);
     if (centres[i][up] - options.origin_up < column.bed) {
-      throw std::invalid_argument(fmt::format(
-          "--centres {}: cell {} at ({:g}) lies below the bed, at {:g} there: its centre must be water or air",
-          options.centres, i, fmt::join(centres[i], " "), column.bed + options.origin_up));
+      fail("--centres {}: cell {} at ({:g}) lies below the bed, at {:g} there: its centre must be water or air",
+           options.centres, i, fmt::join(centres[i], " "), column.bed + options.origin_up);
     }
     share.push_back(std::clamp((column.surface - low) / (high - low), 0.0, 1.0));
     validation::Vector3 moving{};
@@ -182,11 +174,9 @@ std::vector<double> along(const ExactSolution& solution, const std::vector<Point
 }
 
 std::vector<Point> grid_of(const ExactSolution& solution, const InputOptions& options) {
-  if (options.grid.empty()) throw std::invalid_argument(fmt::format("--write {}: --grid is missing", options.format));
+  if (options.grid.empty()) fail("--write {}: --grid is missing", options.format);
   std::vector<Point> grid = points_on_grid(solution, options.grid);
-  if (along(solution, grid, "t").size() > 1) {
-    throw std::invalid_argument(fmt::format("--grid {}: must be one instant, as t=0", options.grid));
-  }
+  if (along(solution, grid, "t").size() > 1) fail("--grid {}: must be one instant, as t=0", options.grid);
   return grid;
 }
 
@@ -197,18 +187,15 @@ std::vector<fs::path> write_geoclaw(Water& water, const ExactSolution& solution,
   const std::vector<double> x = along(solution, grid, "x");
   std::vector<double> y = water.in_plan() ? along(solution, grid, "y") : std::vector<double>{0, options.width};
   if (x.size() < 2 || y.size() < 2) {
-    throw std::invalid_argument(fmt::format("--grid {}: GeoClaw needs two points or more along x{}", options.grid,
-                                            water.in_plan() ? " and y" : ""));
+    fail("--grid {}: GeoClaw needs two points or more along x{}", options.grid, water.in_plan() ? " and y" : "");
   }
   std::vector<double> bed, surface, discharge, discharge_across;
   for (const double at_y : y) {
     const double across = water.in_plan() ? at_y : 0;
     for (const double at_x : x) {
       const Water::Flow flow = water.flow(at_x, across);
-      if (!std::isfinite(flow.bed)) {
-        throw std::invalid_argument(fmt::format(
-            "{}: is infinitely deep and has no bed for topo.xyz: GeoClaw needs a finite depth", solution.name));
-      }
+      if (!std::isfinite(flow.bed))
+        fail("{}: is infinitely deep and has no bed for topo.xyz: GeoClaw needs a finite depth", solution.name);
       bed.push_back(flow.bed + options.origin_up);
       surface.push_back(flow.surface + options.origin_up);
       const auto [hu, hv] = water.discharge(at_x, across);
@@ -240,7 +227,7 @@ std::vector<fs::path> write_vtk(const ExactSolution& solution, const std::map<st
     place.at(axis) = k;
     counts.at(axis) = std::max<std::size_t>(along(solution, grid, input.name).size(), 1);
   }
-  if (evaluator.curve) throw std::invalid_argument(fmt::format("{}: is a curve and no field", solution.name));
+  if (evaluator.curve) fail("{}: is a curve and no field", solution.name);
   std::vector<validation::Vector3> points;
   std::vector<validation::NamedField> fields;
   for (const exact::Quantity& output : solution.outputs) fields.push_back({output.name, {}});
@@ -251,7 +238,7 @@ std::vector<fs::path> write_vtk(const ExactSolution& solution, const std::map<st
       at.at(axis) += std::isnan(moved) ? 0 : moved;
     }
     points.push_back(at);
-    std::vector<double> values(fields.size(), std::numeric_limits<double>::quiet_NaN());
+    std::vector<double> values(fields.size(), validation::nan);
     try {
       values = evaluator.eval(point);
     } catch (const exact::OutsideFluid&) {  // a rectangle never fits a wave
@@ -315,8 +302,7 @@ std::vector<fs::path> write_dualsphysics(const ExactSolution& solution, const st
   std::optional<std::vector<double>> times;
   if (!options.grid.empty()) times = along(solution, points_on_grid(solution, options.grid), "t");
   if (times && (times->size() < 2 || times->front() != 0)) {
-    throw std::invalid_argument(fmt::format(
-        "--grid {}: t must be two times or more, the first 0: a paddle starts from rest then", options.grid));
+    fail("--grid {}: t must be two times or more, the first 0: a paddle starts from rest then", options.grid);
   }
   Piston piston;
   if (solution.name == "solitary" || solution.name == "solitary_asymptotic") {
@@ -335,10 +321,10 @@ std::vector<fs::path> write_dualsphysics(const ExactSolution& solution, const st
       piston.positions.push_back(grown * 0.5 * stroke * std::sin(2 * std::numbers::pi * t / period));
     }
   } else {
-    throw std::invalid_argument(fmt::format(
+    fail(
         "--write dualsphysics: {} has no piston: must be one of solitary, solitary_asymptotic, wavemaker with "
         "kind=piston",
-        solution.name));
+        solution.name);
   }
   for (double& position : piston.positions) position += options.origin_x;
   return {write(options, "paddle.csv", validation::dualsphysics_motion(piston.times, piston.positions))};

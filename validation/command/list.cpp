@@ -1,5 +1,5 @@
 #include <map>
-#include <stdexcept>
+#include <ranges>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -117,8 +117,7 @@ void print_table() {
     if (one.phenomenon != phenomenon) fmt::print("\n{}\n", phenomenon = one.phenomenon);
     fmt::print("  {:<28} {:<17} {}\n  {:<28} {:<17} {}\n", one.name, fmt::format("{}", fmt::join(tiers_of(one), " ")),
                one.title, "", one.submission ? "scores others" : "", one.source);
-    std::vector<std::string> sets;
-    for (const validation::Published& set : one.published) sets.push_back(set.name());
+    const auto sets = one.published | std::views::transform(&validation::Published::name);
     if (!sets.empty()) fmt::print("  {:<28} {:<17} --as {}\n", "", "", fmt::join(sets, ", "));
   }
   fmt::print("\nexact solutions (seiche exact NAME)\n");
@@ -303,10 +302,10 @@ void print_claims(const ListOptions& options) {
 
 int list(const ListOptions& options) {
   if (options.claims.empty() && !(options.settings.empty() && options.tier.empty())) {
-    throw std::invalid_argument("list: --tier and --set belong to --claims CASE");
+    fail("list: --tier and --set belong to --claims CASE");
   }
   if (options.json && (options.scores || options.published)) {
-    throw std::invalid_argument("list: --json lists everything: leave out --scores or --published");
+    fail("list: --json lists everything: leave out --scores or --published");
   }
   if (!options.ctest.empty()) {
     write_ctest(options);

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "seiche/io/text_table.hpp"
+#include "validation/case/refusal.hpp"
 
 namespace seiche::validation {
 namespace {
@@ -39,11 +39,15 @@ struct Patch {
 double time_of(const fs::path& grid) {
   const std::string number = grid.filename().string().substr(opening.size());
   const io::Text text = io::text_of(grid.parent_path() / ("fort.t" + number));
-  if (text.lines.empty()) throw std::invalid_argument(fmt::format("{}: is empty, must say the time", text.file));
+  if (text.lines.empty()) fail("{}: is empty, must say the time", text.file);
   const std::vector<std::string> words = io::words_of(text.lines.front());
   const std::optional<double> time = io::number_in(words.empty() ? "" : words.front());
   if (!time) text.fail(0, "must begin with the time");
   return *time;
+}
+
+void skip_blank(const io::Text& text, std::size_t& line) {
+  while (line < text.lines.size() && io::words_of(text.lines[line]).empty()) ++line;
 }
 
 /// Reads "number   what" lines up to the blank one; `line` is then the first of the cells.
@@ -63,7 +67,7 @@ Patch header_at(const io::Text& text, std::size_t& line) {
     if (what == "xlow" || what == "ylow") patch.low.push_back(value);
     if (what == "dx" || what == "dy") patch.size.push_back(value);
   }
-  while (line < text.lines.size() && io::words_of(text.lines[line]).empty()) ++line;
+  skip_blank(text, line);
   const std::size_t dimensions = patch.cells.size();
   if (dimensions == 0 || dimensions > 2 || patch.low.size() != dimensions || patch.size.size() != dimensions) {
     text.fail(std::min(line, text.lines.size() - 1),
@@ -80,22 +84,18 @@ std::size_t skip_cells(const io::Text& text, const Patch& patch) {
     if (!io::words_of(text.lines[line]).empty()) --left;
   }
   if (left > 0) text.fail(text.lines.size() - 1, fmt::format("ends {} cells before the patch does", left));
-  while (line < text.lines.size() && io::words_of(text.lines[line]).empty()) ++line;
+  skip_blank(text, line);
   return line;
 }
 
 std::vector<std::string> names_for(const io::Text& text, const Patch& patch, std::size_t values) {
-  std::vector<std::string> names{"x"};
-  if (patch.plan()) names.emplace_back("y");
-  names.emplace_back("t");
-  std::vector<std::string> quantities{"h", "hu", "hv", "eta"};
-  if (!patch.plan()) quantities = {"h", "hu", "eta"};
-  if (values + 1 == quantities.size()) quantities.pop_back();  // without eta: Clawpack's shallow water
-  if (values != quantities.size()) {
-    text.fail(patch.first,
-              fmt::format("{} values in a cell, must be h, hu{}, eta", values, patch.plan() ? ", hv" : ""));
-  }
-  names.insert(names.end(), quantities.begin(), quantities.end());
+  const bool plan = patch.plan();
+  std::vector<std::string> names{"x", "t", "h", "hu", "eta"};
+  if (plan) names = {"x", "y", "t", "h", "hu", "hv", "eta"};
+  const std::size_t places = plan ? 3 : 2;
+  if (places + values + 1 == names.size()) names.pop_back();  // without eta: Clawpack's shallow water
+  if (places + values != names.size())
+    text.fail(patch.first, fmt::format("{} values in a cell, must be h, hu{}, eta", values, plan ? ", hv" : ""));
   return names;
 }
 
@@ -118,7 +118,7 @@ io::Table read_geoclaw_grid(const fs::path& file) {
     }
     line = skip_cells(text, patches.back());
   }
-  if (patches.empty()) throw std::invalid_argument(fmt::format("{}: no patches", text.file));
+  if (patches.empty()) fail("{}: no patches", text.file);
   const std::size_t values = io::words_of(text.lines[patches.front().first]).size();
   io::Rows rows(text, names_for(text, patches.front(), values));
   struct Cell {
@@ -130,13 +130,11 @@ io::Table read_geoclaw_grid(const fs::path& file) {
     std::size_t line = patch.first;
     for (std::size_t j = 0; j < (patch.plan() ? patch.cells[1] : 1); ++j) {
       for (std::size_t i = 0; i < patch.cells[0]; ++i, ++line) {
-        while (io::words_of(text.lines[line]).empty()) ++line;
+        skip_blank(text, line);
         std::vector<double> row{patch.at(0, i)};
         if (patch.plan()) row.push_back(patch.at(1, j));
-        const bool finer = std::any_of(patches.begin(), patches.end(), [&](const Patch& other) {
-          return other.level > patch.level && other.covers(row);
-        });
-        if (finer) continue;
+        const auto hides = [&](const Patch& other) { return other.level > patch.level && other.covers(row); };
+        if (std::ranges::any_of(patches, hides)) continue;
         row.push_back(time);
         const std::vector<double> numbers = io::values_of(text, line, io::words_of(text.lines[line]));
         if (numbers.size() != values) text.fail(line, fmt::format("{} entries, must be {}", numbers.size(), values));
@@ -155,24 +153,19 @@ io::Table read_geoclaw_grid(const fs::path& file) {
 }
 
 bool is_geoclaw_output(const fs::path& folder) {
-  return std::any_of(fs::directory_iterator(folder), fs::directory_iterator(),
-                     [](const auto& entry) { return is_geoclaw_grid(entry.path()); });
+  return !files_in(folder, is_geoclaw_grid).empty();
 }
 
 FolderTables read_geoclaw_output(const fs::path& folder) {
-  FolderTables read{.format = "geoclaw"};
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    if (is_geoclaw_grid(entry.path())) read.files.push_back(entry.path());
-  }
-  std::sort(read.files.begin(), read.files.end());
+  FolderTables read{.format = "geoclaw", .files = files_in(folder, is_geoclaw_grid)};
   for (const fs::path& file : read.files) {
-    io::Table now = read_geoclaw_grid(file);
-    if (read.tables.empty()) {
-      now.source = folder.string();
-      read.tables.push_back(std::move(now));
-    } else {
+    const io::Table now = read_geoclaw_grid(file);
+    if (!read.tables.empty()) {
       put_below(read.tables.front(), now);
+      continue;
     }
+    read.tables.push_back(now);
+    read.tables.front().source = folder.string();
   }
   return read;
 }
