@@ -175,38 +175,32 @@ void print(const evidence::Record& record, const std::vector<Finding>& findings,
   fmt::print("{}: {}\n", record.name, met ? "every claim is met" : "not every claim is met");
 }
 
-void require_solver_name(const std::string& name) {
-  const auto is_plain = [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_'; };
-  if (name.empty() || name == "seiche" || !std::ranges::all_of(name, is_plain))
-    fail("--solver {}: must be letters, digits, '-' and '_', and not seiche", name);
-}
-
 /// The number of the smallest size; 0 without any.
 std::size_t finest_of(const std::vector<double>& sizes) {
   return static_cast<std::size_t>(std::min_element(sizes.begin(), sizes.end()) - sizes.begin());
 }
 
-void require_repeats(const ScoreOptions& options) {
-  if (options.repeats == 1) return;
-  if (!options.sizes.empty()) fail("--repeats and --sizes: leave one of the two out");
-  if (options.data.size() % options.repeats != 0) {
-    fail("--data: got {} files for {} repeats; give the same number for each run, all files of the first run first",
-         options.data.size(), options.repeats);
-  }
+void require_as_many(const ScoreOptions& options, std::size_t blocks, const char* several, const char* one) {
+  if (options.data.size() % blocks == 0) return;
+  fail("--data: got {0} files for {1} {2}; give the same number for each {3}, all files of the first {3} first",
+       options.data.size(), blocks, several, one);
 }
 
-void require_ladder(const ScoreOptions& options) {
+/// @throws std::invalid_argument for what does not go together
+void require_valid(const ScoreOptions& options) {
+  const auto is_plain = [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_'; };
+  if (options.solver.empty() || options.solver == "seiche" || !std::ranges::all_of(options.solver, is_plain))
+    fail("--solver {}: must be letters, digits, '-' and '_', and not seiche", options.solver);
+  const std::vector<std::string>& formats = validation::solver_formats();
+  if (options.format != "auto" && std::ranges::find(formats, options.format) == formats.end())
+    fail("--format {}: must be auto or one of {}", options.format, fmt::join(formats, ", "));
   const std::size_t sizes = options.sizes.size();
-  if (!options.seconds.empty() && options.seconds.size() != std::max<std::size_t>(sizes, 1)) {
+  if (!options.seconds.empty() && options.seconds.size() != std::max<std::size_t>(sizes, 1))
     fail("--seconds {}: must be one number, or one for each of the {} --sizes", fmt::join(options.seconds, ","), sizes);
-  }
-  if (sizes == 0) return;
-  if (options.cell > 0) fail("--dx: --sizes say how large the cells are");
-  if (options.data.size() % sizes != 0) {
-    fail(
-        "--data: got {} files for {} cell sizes; give the same number for each size, all files of the first size first",
-        options.data.size(), sizes);
-  }
+  if (sizes > 0 && options.cell > 0) fail("--dx: --sizes say how large the cells are");
+  if (sizes > 0) require_as_many(options, sizes, "cell sizes", "size");
+  if (sizes > 0 && options.repeats > 1) fail("--repeats and --sizes: leave one of the two out");
+  require_as_many(options, options.repeats, "repeats", "run");
 }
 
 validation::SolverFacts facts_of(const ScoreOptions& options, std::map<std::string, StatedUncertainty> uncertainty) {
@@ -215,12 +209,6 @@ validation::SolverFacts facts_of(const ScoreOptions& options, std::map<std::stri
   if (!options.sizes.empty()) facts.cell = options.sizes[finest_of(options.sizes)];
   if (!options.seconds.empty()) facts.seconds = options.seconds.at(finest_of(options.sizes));
   return facts;
-}
-
-void require_format(const ScoreOptions& options) {
-  const std::vector<std::string>& known = validation::solver_formats();
-  if (options.format != "auto" && std::ranges::find(known, options.format) == known.end())
-    fail("--format {}: must be auto or one of {}", options.format, fmt::join(known, ", "));
 }
 
 /// What was read of some of the files: the case's tables, and a history of what is conserved.
@@ -392,10 +380,7 @@ int score(const ScoreOptions& options) {
   if (options.template_only) return print_template(one, wanted, options.table);
   if (options.resolving_power) return print_power(one, values, wanted, options.json);
   if (options.data.empty()) fail("score: --data FILE is missing (or --template)");
-  require_solver_name(options.solver);
-  require_format(options);
-  require_ladder(options);
-  require_repeats(options);
+  require_valid(options);
   const ColumnNames renamed = column_names(one, wanted, options.map);
   auto uncertainty = uncertainties(one, wanted, options.uncertainty);
 

@@ -121,11 +121,7 @@ io::Table read_geoclaw_grid(const fs::path& file) {
   if (patches.empty()) fail("{}: no patches", text.file);
   const std::size_t values = io::words_of(text.lines[patches.front().first]).size();
   io::Rows rows(text, names_for(text, patches.front(), values));
-  struct Cell {
-    std::vector<double> row;
-    std::size_t line;
-  };
-  std::vector<Cell> cells;
+  std::vector<std::pair<std::vector<double>, std::size_t>> cells;  // row and line
   for (const Patch& patch : patches) {
     std::size_t line = patch.first;
     for (std::size_t j = 0; j < (patch.plan() ? patch.cells[1] : 1); ++j) {
@@ -139,16 +135,15 @@ io::Table read_geoclaw_grid(const fs::path& file) {
         const std::vector<double> numbers = io::values_of(text, line, io::words_of(text.lines[line]));
         if (numbers.size() != values) text.fail(line, fmt::format("{} entries, must be {}", numbers.size(), values));
         row.insert(row.end(), numbers.begin(), numbers.end());
-        cells.push_back({row, line});
+        cells.emplace_back(row, line);
       }
     }
   }
   // Along x whatever patch they are of; in two dimensions row by row.
   const bool plan = patches.front().plan();
-  std::stable_sort(cells.begin(), cells.end(), [&](const Cell& a, const Cell& b) {
-    return plan ? std::pair(a.row[1], a.row[0]) < std::pair(b.row[1], b.row[0]) : a.row[0] < b.row[0];
-  });
-  for (const Cell& cell : cells) rows.add(cell.line, cell.row);
+  std::ranges::stable_sort(cells, {},
+                           [&](const auto& cell) { return std::pair(plan ? cell.first[1] : 0, cell.first[0]); });
+  for (const auto& [row, line] : cells) rows.add(line, row);
   return rows.table();
 }
 

@@ -29,10 +29,11 @@ constexpr int doublings = 10;
 constexpr int bisections = 4;
 constexpr double kept_of_truncated = 0.6;
 
-/// Piecewise linear, its ends held.
+/// Piecewise linear, its ends held; a number is the same everywhere.
 double held_at(const SubmittedGroup& group, const std::string& quantity, double x) {
   const std::vector<double>& at = group.abscissa;
-  return linear_at({at, group.values.at(quantity)}, std::clamp(x, at.front(), at.back()));
+  const std::vector<double>& values = group.values.at(quantity);
+  return at.empty() ? values.front() : linear_at({at, values}, std::clamp(x, at.front(), at.back()));
 }
 
 /// Of the references that are asked for again and again.
@@ -275,9 +276,7 @@ class Battery {
       };
       add({.table = table.name, .quantity = name, .change = change, .unit = unit}, scale, changed, both_signs);
     };
-    const auto value = [&](const SubmittedGroup& g, double x) {
-      return table.abscissa ? held_at(g, name, x) : g.values.at(name).front();
-    };
+    const auto value = [&](const SubmittedGroup& g, double x) { return held_at(g, name, x); };
     std::vector<double> all;
     for (const SubmittedGroup& group : truth_.at(table.name)) {
       const std::vector<double>& y = group.values.at(name);
@@ -332,10 +331,8 @@ class Battery {
       std::vector<SubmittedGroup>& both = changed.at(table.name);
       for (const auto& [to, from] : {std::pair{g, g + 1}, std::pair{g + 1, g}}) {
         for (auto& [name, y] : both[to].values) {
-          for (std::size_t k = 0; k < y.size(); ++k) {
-            const SubmittedGroup& other = right[from];
-            y[k] = table.abscissa ? held_at(other, name, both[to].abscissa[k]) : other.values.at(name).front();
-          }
+          for (std::size_t k = 0; k < y.size(); ++k)
+            y[k] = held_at(right[from], name, table.abscissa ? both[to].abscissa[k] : 0);
         }
       }
       exchanged.push_back(changed);
@@ -348,10 +345,10 @@ class Battery {
     add(table, "exchanged", exchanged);
     if (!table.abscissa) return;
     const auto stand = [](SubmittedGroup& group) {
-      for (auto& [name, y] : group.values) std::fill(y.begin(), y.end(), y.front());
+      for (auto& [name, y] : group.values) std::ranges::fill(y, y.front());
     };
     add(table, "reversed", {groups(0, right.size(), [](SubmittedGroup& group) {
-          for (auto& [name, y] : group.values) std::reverse(y.begin(), y.end());
+          for (auto& [name, y] : group.values) std::ranges::reverse(y);
         })});
     add(table, "still", {groups(0, right.size(), stand)});
     add(table, "truncated", {groups(0, right.size(), [](SubmittedGroup& group) {

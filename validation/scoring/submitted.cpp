@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <ranges>
 #include <set>
 
 #include <fmt/format.h>
@@ -70,10 +71,8 @@ class Reader {
     std::set<double> values;
     if (columns_.find(*wanted_.group))
       values.insert(columns_.values(*wanted_.group).begin(), columns_.values(*wanted_.group).end());
-    std::vector<double> shown(values.begin(), values.end());
-    const bool more = shown.size() > 8;
-    if (more) shown.resize(8);
-    return fmt::format("{}{}", fmt::join(shown, ", "), more ? ", ..." : "");
+    constexpr int most = 8;
+    return fmt::format("{}{}", fmt::join(values | std::views::take(most), ", "), values.size() > most ? ", ..." : "");
   }
 
  private:
@@ -89,9 +88,8 @@ class Reader {
       const auto group = named ? group_named(name, understood_.gauges.at(name)) : group_near(number_at_end(name));
       if (!group) continue;
       slices.push_back({*group, all, name});
-      if (!io::number_in(name)) {
+      if (!io::number_in(name))
         columns_.note(fmt::format("column {} is taken for {} = {:g}", name, wanted_.group->name, *group));
-      }
     }
     return slices;
   }
@@ -99,8 +97,9 @@ class Reader {
   /// The wanted group that differs by nothing but rounding.
   [[nodiscard]] std::optional<double> group_near(std::optional<double> value) const {
     if (!value) return {};
-    const double rounding = 1e-6 * worst(*wanted_.groups);
-    const auto near = std::ranges::find_if(*wanted_.groups, [&](double g) { return std::abs(*value - g) <= rounding; });
+    const double scale = worst(*wanted_.groups);
+    const auto is_near = [&](double group) { return std::abs(*value - group) <= 1e-6 * scale; };
+    const auto near = std::ranges::find_if(*wanted_.groups, is_near);
     return near == wanted_.groups->end() ? std::nullopt : std::optional(*near);
   }
 
@@ -145,11 +144,10 @@ class Reader {
     const Column& column = *wanted_.group;
     const Column x{"x", "m", ""};
     const Column y{"y", "m", ""};
-    std::optional<double> whole;
     std::map<std::pair<double, double>, std::optional<double>> found;  // by place
     const bool named = columns_.find(column).has_value();
     const bool by_place = !named && !wanted_.places->empty() && columns_.find(x);
-    if (!named && !by_place) whole = group_of_file();
+    const std::optional<double> whole = named || by_place ? std::nullopt : group_of_file();
     const bool one_of_all =
         (named || (!by_place && !whole)) && columns_.values(column).size() == 1;  // or it is missing
     if (named && !one_of_all) check_length(column);
