@@ -58,18 +58,15 @@ bool asked_for(const std::vector<WantedTable>& wanted, const std::string& name) 
                              [&](const WantedTable& table) { return std::ranges::any_of(table.quantities, is_it); });
 }
 
-struct Change {
-  double largest, at;  ///< over the first value, growth or magnitude; when
-};
-
-Change change_of(const std::vector<double>& t, const std::vector<double>& values, bool growth_alone) {
+/// The largest change over the first value, growth or magnitude, and when.
+Largest change_of(const std::vector<double>& t, const std::vector<double>& values, bool growth_alone) {
   const double first = values.front();
   Largest largest;
   for (std::size_t k = 0; k < t.size(); ++k) {
     const double change = (values[k] - first) / std::abs(first);
     largest.add(growth_alone ? change : std::abs(change), t[k]);
   }
-  return {largest.value(), largest.where()};
+  return largest;
 }
 
 void draw(const History& history, evidence::Record& record) {
@@ -142,7 +139,7 @@ void judge_history(const std::string& phenomenon, const History& history, eviden
     const auto verdict = allowed(phenomenon, name);
     const auto* limits = std::get_if<Allowed>(&verdict);
     if (values.front() != 0) {
-      record.measure(name + "_change", change_of(t, values, false).largest);
+      record.measure(name + "_change", change_of(t, values, false).value());
     } else if (limits != nullptr) {
       fail("column {}: is 0 at t = {:g}, must not be: changes are relative to the first value", name, t.front());
     }
@@ -155,11 +152,11 @@ void judge_history(const std::string& phenomenon, const History& history, eviden
       record.leave_out({claim, std::get<std::string>(verdict)});
       continue;
     }
-    const Change judged = change_of(t, values, limits->growth_alone);
+    const Largest judged = change_of(t, values, limits->growth_alone);
     record.check(claim,
-                 {.value = judged.largest,
+                 {.value = judged.value(),
                   .resolution = fmt::format("{} rows", t.size()),
-                  .where = fmt::format("t = {:g} s", judged.at)},
+                  .where = fmt::format("t = {:g} s", judged.where())},
                  evidence::Bound{.limit = limits->limit, .reason = limits->reason});
   }
   draw(history, record);

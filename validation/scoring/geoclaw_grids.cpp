@@ -20,7 +20,7 @@ struct Patch {
   double level = 0;
   std::vector<std::size_t> cells;  ///< along x, and y
   std::vector<double> low, size;   ///< corner and edges of a cell
-  std::size_t first = 0;           ///< line of its first cell
+  std::vector<std::size_t> lines;  ///< of its cells, along x first
 
   [[nodiscard]] bool plan() const { return cells.size() == 2; }
   [[nodiscard]] double at(std::size_t axis, std::size_t cell) const {
@@ -73,19 +73,16 @@ Patch header_at(const io::Text& text, std::size_t& line) {
     text.fail(std::min(line, text.lines.size() - 1),
               "a header must have mx, xlow, dx, and in two dimensions my, ylow, dy");
   }
-  patch.first = line;
   return patch;
 }
 
-std::size_t skip_cells(const io::Text& text, const Patch& patch) {
-  std::size_t left = std::accumulate(patch.cells.begin(), patch.cells.end(), std::size_t{1}, std::multiplies<>());
-  std::size_t line = patch.first;
-  for (; left > 0 && line < text.lines.size(); ++line) {
-    if (!io::words_of(text.lines[line]).empty()) --left;
-  }
+/// `line` is then the first behind them that is not blank.
+void take_cells(const io::Text& text, std::size_t& line, Patch& patch) {
+  const std::size_t count =
+      std::accumulate(patch.cells.begin(), patch.cells.end(), std::size_t{1}, std::multiplies<>());
+  for (; patch.lines.size() < count && line < text.lines.size(); skip_blank(text, ++line)) patch.lines.push_back(line);
+  const std::size_t left = count - patch.lines.size();
   if (left > 0) text.fail(text.lines.size() - 1, fmt::format("ends {} cells before the patch does", left));
-  skip_blank(text, line);
-  return line;
 }
 
 std::vector<std::string> names_for(const io::Text& text, const Patch& patch, std::size_t values) {
@@ -95,7 +92,8 @@ std::vector<std::string> names_for(const io::Text& text, const Patch& patch, std
   const std::size_t places = plan ? 3 : 2;
   if (places + values + 1 == names.size()) names.pop_back();  // without eta: Clawpack's shallow water
   if (places + values != names.size())
-    text.fail(patch.first, fmt::format("{} values in a cell, must be h, hu{}, eta", values, plan ? ", hv" : ""));
+    text.fail(patch.lines.front(),
+              fmt::format("{} values in a cell, must be h, hu{}, eta", values, plan ? ", hv" : ""));
   return names;
 }
 
@@ -114,29 +112,26 @@ io::Table read_geoclaw_grid(const fs::path& file) {
   for (std::size_t line = 0; line < text.lines.size();) {
     patches.push_back(header_at(text, line));
     if (patches.back().plan() != patches.front().plan()) {
-      text.fail(patches.back().first - 1, "a patch of one dimension beside one of two, must all be alike");
+      text.fail(line - 1, "a patch of one dimension beside one of two, must all be alike");
     }
-    line = skip_cells(text, patches.back());
+    take_cells(text, line, patches.back());
   }
   if (patches.empty()) fail("{}: no patches", text.file);
-  const std::size_t values = io::words_of(text.lines[patches.front().first]).size();
+  const std::size_t values = io::words_of(text.lines[patches.front().lines.front()]).size();
   io::Rows rows(text, names_for(text, patches.front(), values));
   std::vector<std::pair<std::vector<double>, std::size_t>> cells;  // row and line
   for (const Patch& patch : patches) {
-    std::size_t line = patch.first;
-    for (std::size_t j = 0; j < (patch.plan() ? patch.cells[1] : 1); ++j) {
-      for (std::size_t i = 0; i < patch.cells[0]; ++i, ++line) {
-        skip_blank(text, line);
-        std::vector<double> row{patch.at(0, i)};
-        if (patch.plan()) row.push_back(patch.at(1, j));
-        const auto hides = [&](const Patch& other) { return other.level > patch.level && other.covers(row); };
-        if (std::ranges::any_of(patches, hides)) continue;
-        row.push_back(time);
-        const std::vector<double> numbers = io::values_of(text, line, io::words_of(text.lines[line]));
-        if (numbers.size() != values) text.fail(line, fmt::format("{} entries, must be {}", numbers.size(), values));
-        row.insert(row.end(), numbers.begin(), numbers.end());
-        cells.emplace_back(row, line);
-      }
+    for (std::size_t k = 0; k < patch.lines.size(); ++k) {
+      std::vector<double> row{patch.at(0, k % patch.cells[0])};
+      if (patch.plan()) row.push_back(patch.at(1, k / patch.cells[0]));
+      const auto hides = [&](const Patch& other) { return other.level > patch.level && other.covers(row); };
+      if (std::ranges::any_of(patches, hides)) continue;
+      row.push_back(time);
+      const std::size_t line = patch.lines[k];
+      const std::vector<double> numbers = io::values_of(text, line, io::words_of(text.lines[line]));
+      if (numbers.size() != values) text.fail(line, fmt::format("{} entries, must be {}", numbers.size(), values));
+      row.insert(row.end(), numbers.begin(), numbers.end());
+      cells.emplace_back(row, line);
     }
   }
   // Along x whatever patch they are of; in two dimensions row by row.

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <functional>
 #include <initializer_list>
-#include <span>
 
 #include <fmt/format.h>
 
@@ -23,8 +22,9 @@ constexpr double still_there = 0.75;  ///< of the points, after a change
 constexpr std::size_t fewest = 10;
 constexpr double fitted_handicap = 1.25;
 
-constexpr std::array factors{1000.0, 100.0, 10.0, 3.28084, 9.81};
-constexpr std::array clocks{1000.0, 100.0, 60.0};
+constexpr std::array factors{1000.0,   1 / 1000.0, 100.0,       1 / 100.0, 10.0,
+                             1 / 10.0, 3.28084,    1 / 3.28084, 9.81,      1 / 9.81};
+constexpr std::array clocks{1000.0, 1 / 1000.0, 100.0, 1 / 100.0, 60.0, 1 / 60.0};
 
 /// What stands at the reference's abscissa x, after a change.
 using Changed = std::function<double(double x)>;
@@ -126,12 +126,6 @@ class Search {
     cost_ = handicap * candidate.left;
   }
   void fitted(Kind kind, double amount, const Changed& changed) { given(kind, amount, changed, fitted_handicap); }
-  /// The same with each of several factors, and with one over it.
-  void factors(Kind kind, std::span<const double> all, const std::function<Changed(double factor)>& changed) {
-    for (const double factor : all) {
-      for (const double f : {factor, 1 / factor}) given(kind, f, changed(f));
-    }
-  }
 
   [[nodiscard]] const Compared& points() const { return points_; }
   [[nodiscard]] std::optional<Misreading> best() const { return best_; }
@@ -146,8 +140,7 @@ class Search {
 
 void try_given(Search& search, Curve submitted) {
   const double both_ends = search.points().x.front() + search.points().x.back();
-  search.factors(Kind::unit, factors,
-                 [=](double f) -> Changed { return [=](double x) { return linear_at(submitted, x) / f; }; });
+  for (const double f : factors) search.given(Kind::unit, f, [=](double x) { return linear_at(submitted, x) / f; });
   search.given(Kind::inverted, 0, [=](double x) { return -linear_at(submitted, x); });
   search.given(Kind::backwards, 0, [=](double x) { return linear_at(submitted, both_ends - x); });
 }
@@ -224,17 +217,9 @@ double misfit(Curve submitted, Curve reference) {
 }
 
 std::string unit_mistaken(double factor, const std::string& unit) {
-  double nearest = 0;
-  double off = to_five_per_cent;
-  for (const double known : factors) {
-    for (const double f : {known, 1 / known}) {
-      if (const double here = std::abs(factor / f - 1); here < off) {
-        off = here;
-        nearest = f;
-      }
-    }
-  }
-  return nearest > 0 ? unit_name(nearest, unit) : "";
+  const auto off = [&](double known) { return std::abs(factor / known - 1); };
+  const double nearest = *std::ranges::min_element(factors, {}, off);
+  return off(nearest) < to_five_per_cent ? unit_name(nearest, unit) : "";
 }
 
 std::optional<Misreading> misreading(Curve submitted, Curve reference) {
@@ -245,8 +230,7 @@ std::optional<Misreading> misreading(Curve submitted, Curve reference) {
   const double before = misfit(submitted, reference);
   if (before <= material * range) return std::nullopt;
   Search clock(all, std::isnan(before) ? range : before);
-  clock.factors(Kind::abscissa, clocks,
-                [=](double f) -> Changed { return [=](double x) { return linear_at(submitted, f * x); }; });
+  for (const double f : clocks) clock.given(Kind::abscissa, f, [=](double x) { return linear_at(submitted, f * x); });
   const Compared points = covered_points(submitted, reference);
   if (points.x.size() < fewest) return clock.best();
   Search search(points, before);
