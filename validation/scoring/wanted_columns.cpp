@@ -105,7 +105,7 @@ RowOrder in_order(const std::vector<double>& abscissa, const std::vector<std::si
       onwards = onwards && abscissa[rows[k - 1]] >= reached;
       later = later && x > late;
     }
-    reached = std::max(reached, x);
+    if (x > reached) reached = x;
   }
   onwards = onwards && abscissa[rows.back()] >= reached;
   order.sorted = back && !(onwards && (repeats || later));
