@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "validation/case/refusal.hpp"
+
 namespace seiche::validation {
 
 Values Case::values(Tier tier) const {
@@ -23,24 +25,21 @@ std::vector<Tier> Case::tiers_of_defaults() const {
 }
 
 const Published& Case::published_set(std::string_view tile) const {
-  const auto found =
-      std::find_if(published.begin(), published.end(), [&](const Published& s) { return s.shows(tile); });
+  const auto found = std::ranges::find_if(published, [&](const Published& set) { return set.shows(tile); });
   if (found != published.end()) return *found;
   std::vector<std::string> tiles;
   for (const Published& set : published) tiles.insert(tiles.end(), set.tiles.begin(), set.tiles.end());
-  throw std::invalid_argument(tiles.empty() ? fmt::format("{} has no as-published set {}: it has none", name, tile)
-                                            : fmt::format("{} has no as-published set {}: must be one of {}", name,
-                                                          tile, fmt::join(tiles, ", ")));
+  if (tiles.empty()) fail("{} has no as-published set {}: it has none", name, tile);
+  fail("{} has no as-published set {}: must be one of {}", name, tile, fmt::join(tiles, ", "));
 }
 
 std::vector<Values> Case::runs_of(Tier tier) const {
   std::vector<Values> runs;
   const auto add = [&](Values run) {
-    const bool known = std::any_of(runs.begin(), runs.end(),
-                                   [&](const Values& other) { return other.canonical() == run.canonical(); });
+    const bool known = std::ranges::find(runs, run.canonical(), &Values::canonical) != runs.end();
     if (!known) runs.push_back(std::move(run));
   };
-  if (std::find(tiers.begin(), tiers.end(), tier) != tiers.end()) add(values(tier));
+  if (std::ranges::find(tiers, tier) != tiers.end()) add(values(tier));
   for (const Published& set : published) {
     if (set.tier == tier) add(values(set));
   }
@@ -58,10 +57,8 @@ void Case::check_published() const {
     std::vector<std::string> named = set.stated;
     for (const auto& [parameter, theirs] : set.different) named.push_back(parameter);
     for (const std::string& parameter : named) {
-      const auto is_it = [&](const Parameter& p) { return p.name == parameter; };
-      if (std::none_of(parameters.begin(), parameters.end(), is_it))
-        throw std::logic_error(
-            fmt::format("{}: as-published set {} names no parameter {}", name, set.name(), parameter));
+      if (std::ranges::find(parameters, parameter, &Parameter::name) != parameters.end()) continue;
+      throw std::logic_error(fmt::format("{}: as-published set {} names no parameter {}", name, set.name(), parameter));
     }
     try {
       static_cast<void>(values(set));

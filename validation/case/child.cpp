@@ -72,12 +72,15 @@ Child::Child(const Job& job, const std::filesystem::path& directory, const Keepi
 }
 
 Child::~Child() {
-  if (process_ > 0) {
-    kill(process_, SIGKILL);
-    waitpid(process_, nullptr, 0);
-    io::remove_partial_files(directory_, process_);
-  }
+  if (process_ > 0) stop();
   if (pipe_ >= 0) close(pipe_);
+}
+
+void Child::stop() {
+  kill(process_, SIGKILL);
+  waitpid(process_, nullptr, 0);
+  io::remove_partial_files(directory_, process_);
+  process_ = -1;
 }
 
 double Child::seconds() const {
@@ -111,10 +114,7 @@ std::optional<Ending> Child::poll() {
   const pid_t ended = waitpid(process_, &status, WNOHANG);
   if (ended == 0) {
     if (seconds() < static_cast<double>(limit_.count())) return std::nullopt;
-    kill(process_, SIGKILL);
-    waitpid(process_, nullptr, 0);
-    io::remove_partial_files(directory_, process_);
-    process_ = -1;
+    stop();
     return died(fmt::format("stopped at its time limit of {} s, {:.0f} % done", limit_.count(), 100 * progress_));
   }
   io::remove_partial_files(directory_, process_);
@@ -123,18 +123,9 @@ std::optional<Ending> Child::poll() {
   if (WIFSIGNALED(status)) {
     return died(fmt::format("killed by signal {} ({})", WTERMSIG(status), strsignal(WTERMSIG(status))));
   }
-  switch (WEXITSTATUS(status)) {
-    case 0:
-      return Ending{Outcome::as_declared, message_};
-    case 1:
-      return Ending{Outcome::failed, message_};
-    case 2:
-      return Ending{Outcome::wrong_input, message_};
-    case 3:
-      return Ending{Outcome::unfinished, message_};
-    default:
-      return died(fmt::format("ended with exit status {}", WEXITSTATUS(status)));
-  }
+  const int exit = WEXITSTATUS(status);
+  if (exit > exit_status(Outcome::unfinished)) return died(fmt::format("ended with exit status {}", exit));
+  return Ending{static_cast<Outcome>(exit), message_};
 }
 
 }  // namespace seiche::validation

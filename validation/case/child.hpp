@@ -31,6 +31,7 @@ class Child {
 
  private:
   void listen();
+  void stop();
   [[nodiscard]] Ending died(const std::string& reason);
 
   const Job& job_;

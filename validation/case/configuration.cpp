@@ -8,6 +8,7 @@
 
 #include "seiche/io/hdf5_table.hpp"
 #include "seiche/wording.hpp"
+#include "validation/case/refusal.hpp"
 #include "validation/case/registry.hpp"
 
 namespace seiche::validation {
@@ -18,12 +19,12 @@ Value value_of(const toml::node& node) {
   if (const auto v = node.value_exact<int64_t>()) return static_cast<long>(*v);
   if (const auto v = node.value_exact<bool>()) return *v;
   if (const auto v = node.value_exact<std::string>()) return *v;
-  throw std::invalid_argument("must be a number, a text, true or false");
+  fail("must be a number, a text, true or false");
 }
 
 /// Keys and texts come from the file: a line break in one must not break the message.
-[[noreturn]] void fail(const std::string& name, const toml::source_region& where, const std::string& what) {
-  throw std::invalid_argument(printable(fmt::format("{}: line {}: {}", name, where.begin.line, what)));
+[[noreturn]] void fail_at(const std::string& name, const toml::source_region& where, const std::string& what) {
+  fail("{}", printable(fmt::format("{}: line {}: {}", name, where.begin.line, what)));
 }
 
 /// toml++ takes tables apart by recursion: keys of tens of thousands of dots end the process. Where there are many
@@ -36,7 +37,7 @@ void require_shallow(std::string_view text, const std::string& name) {
     io::isolated([&] { return toml::parse(text).empty() ? std::string("nothing") : std::string("something"); }, 10);
   } catch (const std::invalid_argument&) {  // a mistake that the parser names
   } catch (const std::runtime_error&) {
-    throw std::invalid_argument(printable(fmt::format("{}: its keys are nested too deeply", name)));
+    fail("{}: its keys are nested too deeply", printable(name));
   }
 }
 
@@ -48,7 +49,7 @@ void apply(const std::string& name, const toml::table& table, Values& values) {
     } catch (const std::invalid_argument& wrong) {
       const std::string message = wrong.what();
       const bool named = message.starts_with("parameter");
-      fail(name, node.source(), named ? message : fmt::format("parameter {} {}", key.str(), message));
+      fail_at(name, node.source(), named ? message : fmt::format("parameter {} {}", key.str(), message));
     }
   }
 }
@@ -61,14 +62,14 @@ void apply_configuration(std::string_view text, const std::string& name, const C
   try {
     table = toml::parse(text, name);
   } catch (const toml::parse_error& wrong) {
-    fail(name, wrong.source(), std::string(wrong.description()));
+    fail_at(name, wrong.source(), std::string(wrong.description()));
   }
   for (const auto& [key, node] : table) {
     if (!node.is_table()) continue;
     try {
       find_case(key.str());  // an unknown table is a misspelt case
     } catch (const std::invalid_argument& unknown) {
-      fail(name, node.source(), unknown.what());
+      fail_at(name, node.source(), unknown.what());
     }
   }
   apply(name, table, values);

@@ -1,5 +1,6 @@
 #include "validation/case/job.hpp"
 
+#include <algorithm>
 #include <set>
 #include <stdexcept>
 
@@ -31,16 +32,14 @@ void check_tiles(const evidence::Record& record) {
     published.insert(set.tiles.begin(), set.tiles.end());
     if (!set.here) continue;
     for (const std::string& tile : set.tiles) {
-      if (shown.count(tile) == 0) {
-        throw std::logic_error(
-            fmt::format("as-published set {} must show figure {}: no figure or table does", set.tiles.front(), tile));
-      }
+      if (shown.contains(tile)) continue;
+      throw std::logic_error(
+          fmt::format("as-published set {} must show figure {}: no figure or table does", set.tiles.front(), tile));
     }
   }
-  for (const std::string& tile : shown) {
-    if (published.count(tile) == 0)
-      throw std::logic_error(fmt::format("figure {} is shown without an as-published set", tile));
-  }
+  const auto alone = std::ranges::find_if(shown, [&](const std::string& tile) { return !published.contains(tile); });
+  if (alone != shown.end())
+    throw std::logic_error(fmt::format("figure {} is shown without an as-published set", *alone));
 }
 
 /// The earlier record of a run that is refused now stands aside, lest it be taken for this one's. Returns a sentence.
@@ -64,20 +63,6 @@ evidence::Record error_record(const Job& job, const std::string& reason, double 
 }
 
 }  // namespace
-
-int exit_status(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::as_declared:
-      return 0;
-    case Outcome::failed:
-      return 1;
-    case Outcome::wrong_input:
-      return 2;
-    case Outcome::unfinished:
-      return 3;
-  }
-  return 3;
-}
 
 std::string Job::fingerprint() const {
   return evidence::sha256(fmt::format("{}\n{}\n{}\n{}", definition->fingerprint, definition->name, name(values.tier()),

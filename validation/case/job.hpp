@@ -8,7 +8,7 @@
 
 namespace seiche::validation {
 
-/// How a job ended.
+/// How a job ended, in the order of the command's exit statuses 0 to 3.
 enum class Outcome {
   as_declared,  ///< finished, every claim has its declared verdict
   failed,       ///< finished, some claim has not
@@ -16,8 +16,9 @@ enum class Outcome {
   unfinished,   ///< broke down, crashed, ran out of time or disk; the record says why
 };
 
-/// The exit status of the command for an outcome: 0, 1, 2, 3.
-int exit_status(Outcome outcome);
+constexpr int exit_status(Outcome outcome) {
+  return static_cast<int>(outcome);
+}
 
 /// One case with the values it shall run with.
 struct Job {

@@ -1,6 +1,7 @@
 #include "validation/case/on_threads.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <exception>
 #include <mutex>
 #include <thread>
@@ -17,26 +18,19 @@ std::size_t workers_of(Tier tier) {
 void on_threads(std::size_t count, std::size_t workers, const std::function<void(std::size_t)>& work,
                 const std::function<void(std::size_t)>& done) {
   std::mutex mutex;
-  std::size_t begun = 0;
+  std::atomic<std::size_t> begun = 0;
+  std::atomic<bool> stopped = false;
   std::size_t finished = 0;
-  bool stopped = false;
   std::vector<std::exception_ptr> failures(count);
   const auto loop = [&] {
     omp_set_num_threads(1);
-    for (;;) {
-      std::size_t k = 0;
-      {
-        const std::scoped_lock lock(mutex);
-        if (stopped || begun == count) return;
-        k = begun++;
-      }
+    for (std::size_t k = 0; !stopped && (k = begun++) < count;) {
       try {
         work(k);
         const std::scoped_lock lock(mutex);
         ++finished;
         if (done) done(finished);
       } catch (...) {
-        const std::scoped_lock lock(mutex);
         failures[k] = std::current_exception();
         stopped = true;
       }
@@ -46,8 +40,7 @@ void on_threads(std::size_t count, std::size_t workers, const std::function<void
     std::vector<std::jthread> threads;
     for (std::size_t w = 0; w < std::min(workers, count); ++w) threads.emplace_back(loop);
   }
-  const auto first =
-      std::find_if(failures.begin(), failures.end(), [](const auto& failure) { return failure != nullptr; });
+  const auto first = std::ranges::find_if(failures, [](const auto& failure) { return failure != nullptr; });
   if (first != failures.end()) std::rethrow_exception(*first);
 }
 

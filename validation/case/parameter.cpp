@@ -9,8 +9,8 @@
 #include <fmt/ranges.h>
 
 #include "seiche/wording.hpp"
-
 #include "validation/case/reference_table.hpp"
+#include "validation/case/refusal.hpp"
 
 namespace seiche::validation {
 namespace {
@@ -20,8 +20,12 @@ std::string to_text(const Value& value) {
 }
 
 [[noreturn]] void reject(const Parameter& parameter, std::string_view value) {
-  throw std::invalid_argument(
-      fmt::format("parameter {} = {} is not allowed: must be {}", parameter.name, value, parameter.range()));
+  fail("parameter {} = {} is not allowed: must be {}", parameter.name, value, parameter.range());
+}
+
+template <class T>
+ByTier<Value> values_of(const ByTier<T>& standard) {
+  return {standard.quick, standard.full, standard.paper};
 }
 
 template <class Number>
@@ -35,10 +39,8 @@ bool allowed(const Parameter& parameter, const Value& value) {
   const auto inside = [&](double v) { return Range::within(parameter.lowest, parameter.highest).holds(v); };
   if (const auto* v = std::get_if<double>(&value)) return inside(*v);
   if (const auto* v = std::get_if<long>(&value)) return inside(static_cast<double>(*v));
-  if (const auto* v = std::get_if<std::string>(&value)) {
-    return std::find(parameter.choices.begin(), parameter.choices.end(), *v) != parameter.choices.end();
-  }
-  return true;
+  const auto* v = std::get_if<std::string>(&value);
+  return v == nullptr || std::ranges::find(parameter.choices, *v) != parameter.choices.end();
 }
 
 }  // namespace
@@ -51,30 +53,16 @@ std::string Parameter::range() const {
 }
 
 Parameter real(std::string name, ByTier<double> standard, std::string unit, Range range, std::string meaning) {
-  return {.name = std::move(name),
-          .unit = std::move(unit),
-          .meaning = std::move(meaning),
-          .standard = {standard.quick, standard.full, standard.paper},
-          .lowest = range.lowest,
-          .highest = range.highest};
+  return {std::move(name), std::move(unit), std::move(meaning), values_of(standard), range.lowest, range.highest};
 }
 
 Parameter integer(std::string name, ByTier<long> standard, Range range, std::string meaning) {
-  return {.name = std::move(name),
-          .unit = "1",
-          .meaning = std::move(meaning),
-          .standard = {standard.quick, standard.full, standard.paper},
-          .lowest = range.lowest,
-          .highest = range.highest};
+  return {std::move(name), "1", std::move(meaning), values_of(standard), range.lowest, range.highest};
 }
 
 Parameter choice(std::string name, ByTier<std::string> standard, std::vector<std::string> choices,
                  std::string meaning) {
-  return {.name = std::move(name),
-          .unit = "1",
-          .meaning = std::move(meaning),
-          .standard = {standard.quick, standard.full, standard.paper},
-          .choices = std::move(choices)};
+  return {std::move(name), "1", std::move(meaning), values_of(standard), 0, 0, std::move(choices)};
 }
 
 Parameter choice(std::string name, const char* standard, std::vector<std::string> choices, std::string meaning) {
@@ -82,19 +70,16 @@ Parameter choice(std::string name, const char* standard, std::vector<std::string
 }
 
 Parameter toggle(std::string name, ByTier<bool> standard, std::string meaning) {
-  return {.name = std::move(name),
-          .unit = "1",
-          .meaning = std::move(meaning),
-          .standard = {standard.quick, standard.full, standard.paper}};
+  return {std::move(name), "1", std::move(meaning), values_of(standard)};
 }
 
 bool Published::shows(std::string_view tile) const {
-  return std::find(tiles.begin(), tiles.end(), tile) != tiles.end();
+  return std::ranges::find(tiles, tile) != tiles.end();
 }
 
 std::string Published::origin(const std::string& parameter) const {
   if (different.count(parameter) == 1) return "different";
-  return std::find(stated.begin(), stated.end(), parameter) == stated.end() ? "chosen" : "stated";
+  return std::ranges::find(stated, parameter) == stated.end() ? "chosen" : "stated";
 }
 
 Values::Values(std::vector<Parameter> declared, Tier tier, Sets sets)
@@ -113,15 +98,11 @@ const Parameter& Values::find(std::string_view name) const {
   const std::string_view now = name == "beyond_folds" ? "beyond_tangling"  // names in version 0.1
                                : name == "judged_to"  ? "scored_to"
                                                       : name;
-  const auto found =
-      std::find_if(declared_.begin(), declared_.end(), [&](const Parameter& p) { return p.name == now; });
-  if (found == declared_.end()) {
-    std::vector<std::string> names;
-    for (const Parameter& p : declared_) names.push_back(p.name);
-    throw std::invalid_argument(fmt::format("parameter {} is unknown{} must be one of {}", name,
-                                            did_you_mean(name, names), fmt::join(names, ", ")));
-  }
-  return *found;
+  const auto found = std::ranges::find(declared_, now, &Parameter::name);
+  if (found != declared_.end()) return *found;
+  std::vector<std::string> names;
+  for (const Parameter& p : declared_) names.push_back(p.name);
+  fail("parameter {} is unknown{} must be one of {}", name, did_you_mean(name, names), fmt::join(names, ", "));
 }
 
 void Values::set(std::string_view name, const std::string& text) {
@@ -185,7 +166,7 @@ bool Values::are(const NamedValues& settings) const {
 }
 
 bool Values::as_published(std::string_view tile) const {
-  const auto found = std::find_if(sets_->begin(), sets_->end(), [&](const Published& set) { return set.shows(tile); });
+  const auto found = std::ranges::find_if(*sets_, [&](const Published& set) { return set.shows(tile); });
   if (found == sets_->end())
     throw std::logic_error(fmt::format("no as-published set of the case shows figure {}", tile));
   return are(*found);
@@ -193,8 +174,7 @@ bool Values::as_published(std::string_view tile) const {
 
 std::string Values::set_name() const {
   if (standard()) return {};
-  const auto found =
-      std::find_if(sets_->begin(), sets_->end(), [&](const Published& set) { return set.tier == tier_ && are(set); });
+  const auto found = std::ranges::find_if(*sets_, [&](const Published& set) { return set.tier == tier_ && are(set); });
   return found == sets_->end() ? "" : found->name();
 }
 

@@ -1,13 +1,12 @@
 #include "validation/case/reference_source.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <stdexcept>
 
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
 #include "validation/case/data_folder.hpp"
+#include "validation/case/refusal.hpp"
 
 namespace seiche::validation {
 namespace {
@@ -20,66 +19,60 @@ class Reader {
   template <class T>
   void read(const std::string& key, T& value) {
     known_.push_back(key);
-    const toml::node* node = table_.get(key);
-    if (node == nullptr) return;
-    const auto found = node->value<T>();
-    if (!found) reject(key, "has the wrong type");
-    value = *found;
-  }
-
-  void read(const std::string& key, std::vector<std::string>& names) {
-    known_.push_back(key);
-    const toml::node* node = table_.get(key);
-    if (node == nullptr) return;
-    if (!node->is_array()) reject(key, "must be an array of strings");
-    for (const toml::node& entry : *node->as_array()) {
-      const auto name = entry.value<std::string>();
-      if (!name) reject(key, "must be an array of strings");
-      names.push_back(*name);
-    }
-  }
-
-  /// Calls each(name, reader of that table) for every subtable of `key`.
-  template <class Each>
-  void tables(const std::string& key, Each each) {
-    for_entries(key, [&](const std::string& name, const toml::node& node) {
-      if (!node.is_table()) reject(key + "." + name, "must be a table");
-      Reader inner(file_, *node.as_table());
-      each(name, inner);
-    });
-  }
-
-  void read(const std::string& key, std::map<std::string, std::string>& texts) {
-    for_entries(key, [&](const std::string& name, const toml::node& node) {
-      const auto text = node.value<std::string>();
-      if (!text) reject(key + "." + name, "must be a string");
-      texts[name] = *text;
-    });
-  }
-
-  void all(std::map<std::string, std::string>& texts) {
-    for (const auto& entry : table_) read(std::string(entry.first), texts[std::string(entry.first)]);
+    if (const toml::node* node = table_.get(key)) take(key, *node, value);
   }
 
   void finish() const {
-    for (const auto& entry : table_) {
-      const std::string key(entry.first);
-      if (std::find(known_.begin(), known_.end(), key) == known_.end()) reject(key, "is not known");
+    for (const auto& [key, node] : table_) {
+      if (std::ranges::find(known_, key.str()) == known_.end()) reject(std::string(key), "is not known");
     }
   }
 
  private:
-  [[noreturn]] void reject(const std::string& key, const std::string& why) const {
-    throw std::invalid_argument(fmt::format("{}: {} {}", file_, key, why));
+  [[noreturn]] void reject(const std::string& key, const std::string& why) const { fail("{}: {} {}", file_, key, why); }
+
+  template <class T>
+  T value_of(const std::string& key, const toml::node& node, const char* otherwise) const {
+    const auto found = node.value<T>();
+    if (!found) reject(key, otherwise);
+    return *found;
   }
 
-  template <class Each>
-  void for_entries(const std::string& key, Each each) {
-    known_.push_back(key);
-    const toml::node* node = table_.get(key);
-    if (node == nullptr) return;
-    if (!node->is_table()) reject(key, "must be a table");
-    for (const auto& entry : *node->as_table()) each(std::string(entry.first), entry.second);
+  template <class T>
+  void take(const std::string& key, const toml::node& node, T& value) const {
+    value = value_of<T>(key, node, "has the wrong type");
+  }
+  void take(const std::string& key, const toml::node& node, std::vector<std::string>& names) const {
+    constexpr const char* otherwise = "must be an array of strings";
+    if (!node.is_array()) reject(key, otherwise);
+    for (const toml::node& entry : *node.as_array()) names.push_back(value_of<std::string>(key, entry, otherwise));
+  }
+  template <class T>
+  void take(const std::string& key, const toml::node& node, std::map<std::string, T>& entries) const {
+    if (!node.is_table()) reject(key, "must be a table");
+    for (const auto& [name, entry] : *node.as_table()) {
+      take_entry(key + "." + std::string(name), entry, entries[std::string(name)]);
+    }
+  }
+
+  void take_entry(const std::string& key, const toml::node& node, std::string& text) const {
+    text = value_of<std::string>(key, node, "must be a string");
+  }
+  void take_entry(const std::string& key, const toml::node& node, ColumnUncertainty& uncertainty) const {
+    Reader entry = table_in(key, node);
+    entry.read("value", uncertainty.value);
+    entry.read("relative", uncertainty.relative);
+    entry.read("assumed", uncertainty.assumed);
+    entry.read("reason", uncertainty.reason);
+    entry.finish();
+  }
+  void take_entry(const std::string& key, const toml::node& node, std::map<std::string, std::string>& names) const {
+    Reader entry = table_in(key, node);
+    for (const auto& [name, text] : entry.table_) entry.read(std::string(name), names[std::string(name)]);
+  }
+  [[nodiscard]] Reader table_in(const std::string& key, const toml::node& node) const {
+    if (!node.is_table()) reject(key, "must be a table");
+    return {file_, *node.as_table()};
   }
 
   std::string file_;
@@ -104,7 +97,7 @@ std::vector<std::string> reference_sources() {
 
 ReferenceSource reference_source(const std::string& name) {
   const std::string file = (reference_folder() / name / "source.toml").string();
-  if (!std::filesystem::is_regular_file(file)) throw std::invalid_argument(file + " does not exist");
+  if (!std::filesystem::is_regular_file(file)) fail("{} does not exist", file);
   const toml::table table = toml::parse_file(file);
   ReferenceSource source;
   Reader reader(file, table);
@@ -122,15 +115,8 @@ ReferenceSource reference_source(const std::string& name) {
   reader.read("group", source.group);
   reader.read("parameters", source.parameters);
   reader.read("units", source.units);
-  reader.tables("standard_uncertainty", [&](const std::string& column, Reader& entry) {
-    ColumnUncertainty& uncertainty = source.standard_uncertainty[column];
-    entry.read("value", uncertainty.value);
-    entry.read("relative", uncertainty.relative);
-    entry.read("assumed", uncertainty.assumed);
-    entry.read("reason", uncertainty.reason);
-    entry.finish();
-  });
-  reader.tables("codes", [&](const std::string& column, Reader& names) { names.all(source.codes[column]); });
+  reader.read("standard_uncertainty", source.standard_uncertainty);
+  reader.read("codes", source.codes);
   reader.finish();
   return source;
 }

@@ -21,7 +21,7 @@ void Refinement::add(long n, const std::vector<double>& errors) {
 }
 
 double Refinement::on(long n, std::size_t quantity) const {
-  const auto found = std::find(n_.begin(), n_.end(), static_cast<double>(n));
+  const auto found = std::ranges::find(n_, static_cast<double>(n));
   if (found == n_.end()) throw std::logic_error(fmt::format("no mesh of {} cells", n));
   return errors_.at(quantity)[static_cast<std::size_t>(found - n_.begin())];
 }
@@ -57,15 +57,13 @@ void RefinementStudy::tabulate(const Refinement& refinement, evidence::Exhibit& 
 }
 
 void RefinementStudy::draw(const Refinement& refinement, evidence::Panel& panel) const {
-  Largest largest;
-  Smallest smallest;
+  std::vector<double> finest;
   for (std::size_t k = 0; k < quantities.size(); ++k) {
     panel.line(quantities[k].name, refinement.n(), refinement.errors(k));
-    largest.add(refinement.finest(k));
-    smallest.add(refinement.finest(k));
+    finest.push_back(refinement.finest(k));
   }
-  slope_guide(panel, -1, refinement.n(), 1.5 * largest.value());
-  slope_guide(panel, -2, refinement.n(), smallest.value() / 1.5);
+  slope_guide(panel, -1, refinement.n(), 1.5 * largest(finest));
+  slope_guide(panel, -2, refinement.n(), smallest(finest) / 1.5);
 }
 
 }  // namespace seiche::validation

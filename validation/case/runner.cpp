@@ -3,6 +3,7 @@
 #include <omp.h>
 #include <unistd.h>
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <csignal>
@@ -21,25 +22,6 @@
 namespace seiche::validation {
 namespace {
 
-/// Shows a run: on a terminal a bar per running case, redrawn in place; elsewhere a line per finished case.
-class Display {
- public:
-  explicit Display(std::size_t total);
-
-  void skipped(const std::string& name);
-  void finished(const std::string& name, const Ending& ending, double seconds);
-  void running(const std::vector<std::unique_ptr<Child>>& children);
-
- private:
-  void erase_bars();
-  void line(const char* mark, const std::string& name, const std::string& rest);
-
-  std::size_t total_;
-  std::size_t done_ = 0;
-  std::size_t bars_ = 0;  ///< lines of bars now on the terminal
-  bool terminal_;
-};
-
 std::string bar(double fraction, int width) {
   const int full = static_cast<int>(std::lround(std::clamp(fraction, 0.0, 1.0) * width));
   std::string text;
@@ -47,49 +29,42 @@ std::string bar(double fraction, int width) {
   return text;
 }
 
-const char* mark(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::as_declared:
-      return "✓";
-    case Outcome::failed:
-      return "✗";
-    case Outcome::wrong_input:
-      return "?";
-    case Outcome::unfinished:
-      return "!";
+/// Shows a run: on a terminal a bar per running case, redrawn in place; elsewhere a line per finished case.
+class Display {
+ public:
+  explicit Display(std::size_t total) : total_(total), terminal_(isatty(STDOUT_FILENO) != 0) {}
+
+  void skipped(const std::string& name) { line("=", name, "unchanged, kept"); }
+  void finished(const std::string& name, const Ending& ending, double seconds) {
+    constexpr std::array marks{"✓", "✗", "?", "!"};  // by exit status
+    line(marks.at(static_cast<std::size_t>(exit_status(ending.outcome))), name,
+         fmt::format("{:7.2f} s  {}", seconds, ending.message));
   }
-  return "!";
-}
-
-Display::Display(std::size_t total) : total_(total), terminal_(isatty(STDOUT_FILENO) != 0) {}
-
-void Display::erase_bars() {
-  for (; bars_ > 0; --bars_) fmt::print("\033[1A\033[2K");
-}
-
-void Display::line(const char* sign, const std::string& name, const std::string& rest) {
-  erase_bars();
-  fmt::print("[{:>3}/{}] {} {:<34} {}\n", ++done_, total_, sign, name, rest);
-  std::fflush(stdout);
-}
-
-void Display::skipped(const std::string& name) {
-  line("=", name, "unchanged, kept");
-}
-
-void Display::finished(const std::string& name, const Ending& ending, double seconds) {
-  line(mark(ending.outcome), name, fmt::format("{:7.2f} s  {}", seconds, ending.message));
-}
-
-void Display::running(const std::vector<std::unique_ptr<Child>>& children) {
-  if (!terminal_) return;
-  erase_bars();
-  for (const auto& child : children) {
-    fmt::print("          {:<34} {} {:5.1f} s\n", child->job().stem(), bar(child->progress(), 30), child->seconds());
+  void running(const std::vector<std::unique_ptr<Child>>& children) {
+    if (!terminal_) return;
+    erase_bars();
+    for (const auto& child : children) {
+      fmt::print("          {:<34} {} {:5.1f} s\n", child->job().stem(), bar(child->progress(), 30), child->seconds());
+    }
+    bars_ = children.size();
+    std::fflush(stdout);
   }
-  bars_ = children.size();
-  std::fflush(stdout);
-}
+
+ private:
+  void erase_bars() {
+    for (; bars_ > 0; --bars_) fmt::print("\033[1A\033[2K");
+  }
+  void line(const char* sign, const std::string& name, const std::string& rest) {
+    erase_bars();
+    fmt::print("[{:>3}/{}] {} {:<34} {}\n", ++done_, total_, sign, name, rest);
+    std::fflush(stdout);
+  }
+
+  std::size_t total_;
+  std::size_t done_ = 0;
+  std::size_t bars_ = 0;  ///< lines of bars now on the terminal
+  bool terminal_;
+};
 
 /// Set by the signal handler, the one thing that such a handler may do.
 volatile std::sig_atomic_t interrupted = 0;  // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
@@ -98,22 +73,11 @@ void on_interrupt(int /*signal*/) {
   interrupted = 1;
 }
 
-int severity(Outcome outcome) {
-  switch (outcome) {
-    case Outcome::as_declared:
-      return 0;
-    case Outcome::failed:
-      return 1;
-    case Outcome::unfinished:
-      return 2;
-    case Outcome::wrong_input:
-      return 3;
-  }
-  return 3;
-}
-
+/// Wrong input is worst, then what did not finish.
 Outcome worse(Outcome a, Outcome b) {
-  return severity(a) >= severity(b) ? a : b;
+  constexpr std::array severity{0, 1, 3, 2};  // by exit status
+  const auto of = [&](Outcome outcome) { return severity.at(static_cast<std::size_t>(exit_status(outcome))); };
+  return of(a) >= of(b) ? a : b;
 }
 
 }  // namespace
@@ -154,17 +118,14 @@ Outcome run_all(const std::vector<Job>& jobs, const RunOptions& options) {
                                     options.most_seconds.value_or(job.definition->time_limit.at(job.values.tier()))));
       }
     }
-    for (auto child = children.begin(); child != children.end();) {
-      const std::optional<Ending> ending = (*child)->poll();
-      if (!ending) {
-        ++child;
-        continue;
-      }
+    std::erase_if(children, [&](const std::unique_ptr<Child>& child) {
+      const std::optional<Ending> ending = child->poll();
+      if (!ending) return false;
       written = written || ending->outcome != Outcome::wrong_input;
-      display.finished((*child)->job().stem(), *ending, (*child)->seconds());
+      display.finished(child->job().stem(), *ending, child->seconds());
       worst = worse(worst, ending->outcome);
-      child = children.erase(child);
-    }
+      return true;
+    });
     display.running(children);
     // Short enough that a case of milliseconds is not waited for, long enough to cost nothing.
     if (!children.empty()) std::this_thread::sleep_for(std::chrono::milliseconds(5));

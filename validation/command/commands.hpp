@@ -56,8 +56,11 @@ struct ExactOptions {
   std::string write;  ///< a solver, whose input is written
   std::string centres;
   std::string up = "z";
-  std::vector<double> origin;
-  double width = 1;
+  std::vector<double> origin;  ///< where the solution's x = 0 and its height 0 are in the solver
+  double width = 1;            ///< of a strip in plan, where the solution knows no y
+
+  [[nodiscard]] double origin_x() const { return origin.empty() ? 0 : origin[0]; }
+  [[nodiscard]] double origin_up() const { return origin.empty() ? 0 : origin[1]; }
 };
 int exact_command(const ExactOptions& options);
 

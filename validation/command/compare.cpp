@@ -4,13 +4,13 @@
 #include <functional>
 #include <map>
 #include <set>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "reports/evidence/record_files.hpp"
+#include "validation/case/refusal.hpp"
 #include "validation/command/commands.hpp"
 #include "validation/command/streams.hpp"
 #include "validation/scoring/baseline.hpp"
@@ -22,11 +22,10 @@ using evidence::Summary;
 using validation::degraded;
 using validation::error_of;
 
-constexpr int widest_label = 34;
-
 /// A row: its label, and for every record what to print.
 void print_row(const std::string& label, const std::vector<const Summary*>& solvers,
                const std::function<std::string(const Summary&)>& entry) {
+  constexpr int widest_label = 34;
   fmt::print("  {:<{}}", label, widest_label);
   for (const Summary* one : solvers) {
     fmt::print(" {:>{}}", entry(*one), std::max<std::size_t>(18, one->solver.size()));
@@ -34,15 +33,10 @@ void print_row(const std::string& label, const std::vector<const Summary*>& solv
   fmt::print("\n");
 }
 
-const Summary::Outcome* find_claim(const Summary& record, const std::string& id) {
-  const auto found =
-      std::find_if(record.claims.begin(), record.claims.end(), [&](const auto& c) { return c.id == id; });
-  return found == record.claims.end() ? nullptr : &*found;
-}
-
-std::string describe(const Summary::Outcome* claim) {
-  if (claim == nullptr) return "-";
-  const double distance = std::abs(claim->measured - claim->expected);
+std::string describe(const Summary& record, const std::string& id) {
+  const auto claim = std::ranges::find(record.claims, id, &Summary::Outcome::id);
+  if (claim == record.claims.end()) return "-";
+  const double distance = error_of(*claim);
   if (!(claim->limit > 0) || !std::isfinite(distance)) return claim->verdict;
   return fmt::format("{} {:.2g}", claim->verdict, distance / claim->limit);
 }
@@ -58,10 +52,6 @@ constexpr std::array<std::pair<const char*, const char*>, 2> stated_costs{
 
 bool is_stated_cost(const std::string& quantity) {
   return std::ranges::any_of(stated_costs, [&](const auto& cost) { return quantity == cost.first; });
-}
-
-bool is_of_ladder(const std::string& quantity) {
-  return quantity.starts_with("ladder_");
 }
 
 void print_costs(const std::vector<const Summary*>& solvers) {
@@ -82,16 +72,16 @@ void print_case(const std::vector<const Summary*>& solvers) {
   std::map<std::string, std::size_t> shared;
   for (const Summary* one : solvers) {
     for (const auto& claim : one->claims) {
-      if (std::find(ids.begin(), ids.end(), claim.id) == ids.end()) ids.push_back(claim.id);
+      if (std::ranges::find(ids, claim.id) == ids.end()) ids.push_back(claim.id);
     }
     for (const auto& [quantity, value] : one->measurements) ++shared[quantity];
   }
   for (const std::string& id : ids) {
-    print_row(id, solvers, [&](const Summary& one) { return describe(find_claim(one, id)); });
+    print_row(id, solvers, [&](const Summary& one) { return describe(one, id); });
   }
   print_costs(solvers);
   for (const auto& [quantity, count] : shared) {
-    if (is_stated_cost(quantity) || (count < 2 && !is_of_ladder(quantity))) continue;
+    if (is_stated_cost(quantity) || (count < 2 && !quantity.starts_with("ladder_"))) continue;
     print_row(quantity, solvers, [&, name = quantity](const Summary& one) { return measured(one, name); });
   }
 }
@@ -104,23 +94,21 @@ void print_case(const std::vector<const Summary*>& solvers) {
 bool print_side_by_side(const std::vector<Summary>& records) {
   std::map<std::string, std::vector<const Summary*>> cases;
   for (const Summary& one : records) cases[one.name].push_back(&one);
+  std::erase_if(cases, [](const auto& one) { return one.second.size() < 2; });
+  if (cases.empty()) fmt::print("no case has records of several solvers\n");
   bool as_declared = true;
-  bool any = false;
   for (auto& [name, solvers] : cases) {
-    if (solvers.size() < 2) continue;
-    any = true;
-    std::stable_partition(solvers.begin(), solvers.end(), [](const Summary* s) { return s->solver == "seiche"; });
+    std::ranges::stable_partition(solvers, [](const Summary* s) { return s->solver == "seiche"; });
     print_case(solvers);
-    for (const Summary* one : solvers) as_declared = as_declared && one->as_declared();
+    as_declared = as_declared && std::ranges::all_of(solvers, &Summary::as_declared);
   }
-  if (!any) fmt::print("no case has records of several solvers\n");
   return as_declared;
 }
 
 std::vector<Summary> records_in(const std::string& directory) {
   std::vector<Summary> records = evidence::read_summaries(directory, evidence::Reading::all_files);
-  if (records.empty()) throw std::invalid_argument(fmt::format("compare: folder {} holds no record", directory));
-  const auto unsealed = std::count_if(records.begin(), records.end(), [](const Summary& s) { return !s.sealed; });
+  if (records.empty()) validation::fail("compare: folder {} holds no record", directory);
+  const auto unsealed = std::ranges::count(records, false, &Summary::sealed);
   if (unsealed > 0) {
     complain(fmt::format("{}: {} of {} records carry no digest: a change after they were written would not be seen",
                          directory, unsealed, records.size()));
@@ -142,20 +130,20 @@ bool compare_record(const std::string& key, const Summary& before, const Summary
     fmt::print("  {:<24} {:<28} {}\n", key, id, what);
   };
   if (before.error != after.error) {
-    line("run", fmt::format("'{}' -> '{}'", before.error.empty() ? "finished" : before.error,
-                            after.error.empty() ? "finished" : after.error));
+    const auto ending = [](const Summary& one) { return one.error.empty() ? "finished" : one.error; };
+    line("run", fmt::format("'{}' -> '{}'", ending(before), ending(after)));
     worse = worse || !after.error.empty();
   }
   std::map<std::string, const Summary::Outcome*> old;
   for (const auto& claim : before.claims) old[claim.id] = &claim;
   for (const auto& claim : after.claims) {
-    const auto found = old.find(claim.id);
-    if (found == old.end()) {
+    const auto found = old.extract(claim.id);
+    if (!found) {
       line(claim.id, fmt::format("new: {}", claim.verdict));
       worse = worse || !claim.as_declared;
       continue;
     }
-    const Summary::Outcome& was = *found->second;
+    const Summary::Outcome& was = *found.mapped();
     if (was.verdict != claim.verdict || was.as_declared != claim.as_declared) {
       const char* surprise = claim.as_declared ? "" : ", not as declared";
       line(claim.id, fmt::format("verdict {} -> {}{}", was.verdict, claim.verdict, surprise));
@@ -169,7 +157,6 @@ bool compare_record(const std::string& key, const Summary& before, const Summary
       line(claim.id, fmt::format("error {:.3g} -> {:.3g}{}", from, to, grown ? ", worse" : ""));
     }
     worse = worse || grown || (vanished && std::isnan(to));
-    old.erase(found);
   }
   for (const auto& [id, claim] : old) {
     line(id, "no longer claimed");
@@ -190,10 +177,9 @@ int compare(const CompareOptions& options) {
   bool worse = false;
   fmt::print("{} -> {}\n", options.before, options.after);
   for (const auto& [key, record] : before) {
-    if (after.count(key) == 0) {
-      fmt::print("  {:<24} no longer there\n", key);
-      worse = true;
-    }
+    if (after.contains(key)) continue;
+    fmt::print("  {:<24} no longer there\n", key);
+    worse = true;
   }
   for (const auto& [key, record] : after) {
     const auto was = before.find(key);

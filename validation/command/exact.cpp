@@ -41,9 +41,7 @@ std::string value_of(const exact::Parameter& parameter, double value) {
 }
 
 struct PrintedColumn {
-  std::string name;
-  std::string unit;
-  std::string meaning;
+  std::string name, unit, meaning;
   std::vector<double> values;
 };
 
@@ -59,7 +57,7 @@ std::vector<PrintedColumn> columns_of(const ExactResult& result) {
   };
   for (std::size_t k = 0; k < solution.inputs.size(); ++k) {
     const auto given = [k](const std::vector<double>& row) { return !std::isnan(row[k]); };
-    if (std::any_of(result.rows.begin(), result.rows.end(), given)) add(solution.inputs[k], k);
+    if (std::ranges::any_of(result.rows, given)) add(solution.inputs[k], k);
   }
   for (std::size_t k = 0; k < solution.outputs.size(); ++k) add(solution.outputs[k], solution.inputs.size() + k);
   return columns;
@@ -105,12 +103,8 @@ std::string as_json(const ExactResult& result) {
   Json json = {{"name", solution.name}, {"title", solution.title}, {"citation", solution.citation}};
   for (const auto& p : solution.parameters) {
     const double value = result.parameters.at(p.name);
-    // JSON knows no infinity.
-    if (p.choices.empty() && std::isfinite(value)) {
-      json["parameters"][p.name] = value;
-    } else {
-      json["parameters"][p.name] = value_of(p, value);
-    }
+    const bool number = p.choices.empty() && std::isfinite(value);  // JSON knows no infinity
+    json["parameters"][p.name] = number ? Json(value) : Json(value_of(p, value));
   }
   if (result.uncertainty) json["uncertainty"] = *result.uncertainty;
   if (!result.rows.empty()) {
@@ -197,25 +191,10 @@ std::vector<std::vector<double>> rows_of(const exact::Evaluator& evaluator, cons
       add(point, evaluator.eval(point));
     } catch (const exact::OutsideFluid&) {
       if (rows.size() < one_by_one) throw;
-      add(point, std::vector<double>(outputs, std::numeric_limits<double>::quiet_NaN()));
+      add(point, std::vector<double>(outputs, validation::nan));
     }
   }
   return rows;
-}
-
-InputOptions inputs_of(const ExactOptions& options) {
-  InputOptions inputs{.format = options.write,
-                      .folder = options.out.empty() ? "." : options.out,
-                      .grid = options.grid,
-                      .points = options.points,
-                      .centres = options.centres,
-                      .up = options.up,
-                      .width = options.width};
-  if (!options.origin.empty()) {
-    inputs.origin_x = options.origin.at(0);
-    inputs.origin_up = options.origin.at(1);
-  }
-  return inputs;
 }
 
 /// Returns whether every identity holds.
@@ -240,7 +219,7 @@ int exact_command(const ExactOptions& options) {
   const ExactSolution& solution = exact::find_solution(options.name);
   ExactResult result{.solution = &solution, .parameters = parameters_from(solution, options.settings)};
   if (!options.write.empty() && options.write != "csv") {
-    for (const std::filesystem::path& file : write_inputs(solution, result.parameters, inputs_of(options))) {
+    for (const std::filesystem::path& file : write_inputs(solution, result.parameters, options)) {
       fmt::print("{}\n", file.string());
     }
     return 0;
@@ -257,9 +236,7 @@ int exact_command(const ExactOptions& options) {
   }
   // Without points the scalars are what is left to print; a solution without scalars is evaluated at the defaults.
   if (points.empty() && (solution.inputs.empty() || solution.scalars.empty())) {
-    Point defaults;
-    for (const auto& input : solution.inputs) defaults.push_back(input.default_value);
-    points.push_back(defaults);
+    points.push_back(default_point(solution));
   }
   if (options.integrals || points.empty()) {
     result.scalars = evaluator.scalars();

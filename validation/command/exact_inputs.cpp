@@ -6,13 +6,13 @@
 #include <numbers>
 #include <optional>
 #include <set>
-#include <stdexcept>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "seiche/io/atomic_file.hpp"
 #include "validation/command/exact_points.hpp"
+#include "validation/command/settings.hpp"
 #include "validation/scoring/solver_inputs.hpp"
 
 namespace seiche::command {
@@ -24,7 +24,7 @@ namespace fs = std::filesystem;
 /// Index of an input or output.
 template <class Named>
 std::optional<std::size_t> index_of(const std::vector<Named>& all, std::string_view name) {
-  const auto found = std::find_if(all.begin(), all.end(), [&](const Named& one) { return one.name == name; });
+  const auto found = std::ranges::find(all, name, &Named::name);
   return found == all.end() ? std::nullopt : std::optional(static_cast<std::size_t>(found - all.begin()));
 }
 
@@ -55,14 +55,10 @@ class Water {
     surface_ = output("eta"), depth_ = output("h"), bed_ = output("z"), velocity_ = {output("u"), {}, {}};
     velocity_[height_ ? 2 : 1] = y ? output("v") : std::nullopt;
     if (!x_ || !(surface_ || depth_)) {
-      throw std::invalid_argument(fmt::format(
-          "{}: cannot write initial conditions, this solution does not define the free surface as a function of x",
-          solution.name));
+      fail("{}: cannot write initial conditions, this solution does not define the free surface as a function of x",
+           solution.name);
     }
-    if (!velocity_[0]) {
-      throw std::invalid_argument(
-          fmt::format("{}: has no velocity field, needed for initial conditions", solution.name));
-    }
+    if (!velocity_[0]) fail("{}: has no velocity field, needed for initial conditions", solution.name);
     evaluator_ = solution.evaluator(parameters);
     const auto depth = parameters.find("depth");
     const auto mean = index_of(solution.scalars, "mean_depth");
@@ -78,8 +74,7 @@ class Water {
 
   /// At a height, or at the surface.
   [[nodiscard]] Flow flow(double x, double across = 0, std::optional<double> height = {}) const {
-    Point point;
-    for (const exact::Coordinate& input : solution_.inputs) point.push_back(input.default_value);
+    Point point = default_point(solution_);
     point[*x_] = x;
     if (t_) point[*t_] = time_;
     if (height_ && height) point[*height_] = *height;
@@ -119,23 +114,22 @@ class Water {
 };
 
 /// The instant of --at, 0 where none is given.
-double instant(const ExactSolution& solution, const InputOptions& options) {
+double instant(const ExactSolution& solution, const ExactOptions& options) {
   const auto t = index_of(solution.inputs, "t");
   return options.points.empty() || !t ? 0 : points_at(solution, options.points).front()[*t];
 }
 
-fs::path write(const InputOptions& options, const std::string& name, const std::string& text) {
-  fs::create_directories(options.folder);
-  fs::path file = options.folder / name;
+fs::path write(const ExactOptions& options, const std::string& name, const std::string& text) {
+  const fs::path folder = options.out.empty() ? "." : options.out;
+  fs::create_directories(folder);
+  fs::path file = folder / name;
   io::write_file(file, text);
   return file;
 }
 
-std::vector<fs::path> write_openfoam(Water& water, const InputOptions& options) {
-  if (options.centres.empty()) {
-    throw std::invalid_argument(
-        "--write openfoam: --centres FILE is missing: the field C that 'postProcess -func writeCellCentres' writes");
-  }
+std::vector<fs::path> write_openfoam(Water& water, const ExactOptions& options) {
+  if (options.centres.empty())
+    fail("--write openfoam: --centres FILE is missing: the field C that 'postProcess -func writeCellCentres' writes");
   const std::size_t up = options.up == "y" ? 1 : 2;
   const std::size_t across = 3 - up;
   const double hand = up == 2 ? 1 : -1;  // x, across, up are right-handed in both
@@ -144,15 +138,14 @@ std::vector<fs::path> write_openfoam(Water& water, const InputOptions& options) 
   std::vector<double> share;
   std::vector<validation::Vector3> velocity;
   for (std::size_t i = 0; i < centres.size(); ++i) {
-    const double x = centres[i][0] - options.origin_x;
-    const double low = edges[i].first - options.origin_up;
-    const double high = edges[i].second - options.origin_up;
+    const double x = centres[i][0] - options.origin_x();
+    const double low = edges[i].first - options.origin_up();
+    const double high = edges[i].second - options.origin_up();
     const double y = hand * centres[i][across];
     const Water::Flow column = water.flow(x, y);
-    if (centres[i][up] - options.origin_up < column.bed) {
-      throw std::invalid_argument(fmt::format(
-          "--centres {}: cell {} at ({:g}) lies below the bed, at {:g} there: its centre must be water or air",
-          options.centres, i, fmt::join(centres[i], " "), column.bed + options.origin_up));
+    if (centres[i][up] - options.origin_up() < column.bed) {
+      fail("--centres {}: cell {} at ({:g}) lies below the bed, at {:g} there: its centre must be water or air",
+           options.centres, i, fmt::join(centres[i], " "), column.bed + options.origin_up());
     }
     share.push_back(std::clamp((column.surface - low) / (high - low), 0.0, 1.0));
     validation::Vector3 moving{};
@@ -181,54 +174,46 @@ std::vector<double> along(const ExactSolution& solution, const std::vector<Point
   return {values.begin(), values.end()};
 }
 
-std::vector<Point> grid_of(const ExactSolution& solution, const InputOptions& options) {
-  if (options.grid.empty()) throw std::invalid_argument(fmt::format("--write {}: --grid is missing", options.format));
+std::vector<Point> grid_of(const ExactSolution& solution, const ExactOptions& options) {
+  if (options.grid.empty()) fail("--write {}: --grid is missing", options.write);
   std::vector<Point> grid = points_on_grid(solution, options.grid);
-  if (along(solution, grid, "t").size() > 1) {
-    throw std::invalid_argument(fmt::format("--grid {}: must be one instant, as t=0", options.grid));
-  }
+  if (along(solution, grid, "t").size() > 1) fail("--grid {}: must be one instant, as t=0", options.grid);
   return grid;
 }
 
-std::vector<fs::path> write_geoclaw(Water& water, const ExactSolution& solution, const InputOptions& options) {
+std::vector<fs::path> write_geoclaw(Water& water, const ExactSolution& solution, const ExactOptions& options) {
   const std::vector<Point> grid = grid_of(solution, options);
   const std::vector<double> times = along(solution, grid, "t");
   water.at(times.empty() ? 0 : times.front());
   const std::vector<double> x = along(solution, grid, "x");
   std::vector<double> y = water.in_plan() ? along(solution, grid, "y") : std::vector<double>{0, options.width};
   if (x.size() < 2 || y.size() < 2) {
-    throw std::invalid_argument(fmt::format("--grid {}: GeoClaw needs two points or more along x{}", options.grid,
-                                            water.in_plan() ? " and y" : ""));
+    fail("--grid {}: GeoClaw needs two points or more along x{}", options.grid, water.in_plan() ? " and y" : "");
   }
-  std::vector<double> bed, surface, discharge, discharge_across;
+  const std::array names{"topo.xyz", "eta.xyz", "hu.xyz", "hv.xyz"};
+  std::array<std::vector<double>, 4> fields;
   for (const double at_y : y) {
     const double across = water.in_plan() ? at_y : 0;
     for (const double at_x : x) {
       const Water::Flow flow = water.flow(at_x, across);
-      if (!std::isfinite(flow.bed)) {
-        throw std::invalid_argument(fmt::format(
-            "{}: is infinitely deep and has no bed for topo.xyz: GeoClaw needs a finite depth", solution.name));
-      }
-      bed.push_back(flow.bed + options.origin_up);
-      surface.push_back(flow.surface + options.origin_up);
+      if (!std::isfinite(flow.bed))
+        fail("{}: is infinitely deep and has no bed for topo.xyz: GeoClaw needs a finite depth", solution.name);
       const auto [hu, hv] = water.discharge(at_x, across);
-      discharge.push_back(hu);
-      discharge_across.push_back(hv);
+      const std::array values{flow.bed + options.origin_up(), flow.surface + options.origin_up(), hu, hv};
+      for (std::size_t k = 0; k < values.size(); ++k) fields[k].push_back(values[k]);
     }
   }
   std::vector<double> shifted = x;
-  for (double& one : shifted) one += options.origin_x;
-  const auto grid_file = [&](const char* name, const std::vector<double>& z) {
-    return write(options, name, validation::geoclaw_grid(shifted, y, z));
-  };
-  std::vector<fs::path> files{grid_file("topo.xyz", bed), grid_file("eta.xyz", surface),
-                              grid_file("hu.xyz", discharge)};
-  if (water.in_plan()) files.push_back(grid_file("hv.xyz", discharge_across));
+  for (double& one : shifted) one += options.origin_x();
+  std::vector<fs::path> files;
+  for (std::size_t k = 0; k < (water.in_plan() ? 4 : 3); ++k) {
+    files.push_back(write(options, names[k], validation::geoclaw_grid(shifted, y, fields[k])));
+  }
   return files;
 }
 
 std::vector<fs::path> write_vtk(const ExactSolution& solution, const std::map<std::string, double>& parameters,
-                                const InputOptions& options) {
+                                const ExactOptions& options) {
   const std::vector<Point> grid = grid_of(solution, options);
   const exact::Evaluator evaluator = solution.evaluator(parameters);
   std::array<std::size_t, 3> counts{1, 1, 1};
@@ -240,18 +225,18 @@ std::vector<fs::path> write_vtk(const ExactSolution& solution, const std::map<st
     place.at(axis) = k;
     counts.at(axis) = std::max<std::size_t>(along(solution, grid, input.name).size(), 1);
   }
-  if (evaluator.curve) throw std::invalid_argument(fmt::format("{}: is a curve and no field", solution.name));
+  if (evaluator.curve) fail("{}: is a curve and no field", solution.name);
   std::vector<validation::Vector3> points;
   std::vector<validation::NamedField> fields;
   for (const exact::Quantity& output : solution.outputs) fields.push_back({output.name, {}});
   for (const Point& point : grid) {
-    validation::Vector3 at{options.origin_x, 0, options.origin_up};
+    validation::Vector3 at{options.origin_x(), 0, options.origin_up()};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double moved = place.at(axis) ? point[*place.at(axis)] : 0;
       at.at(axis) += std::isnan(moved) ? 0 : moved;
     }
     points.push_back(at);
-    std::vector<double> values(fields.size(), std::numeric_limits<double>::quiet_NaN());
+    std::vector<double> values(fields.size(), validation::nan);
     try {
       values = evaluator.eval(point);
     } catch (const exact::OutsideFluid&) {  // a rectangle never fits a wave
@@ -266,6 +251,11 @@ std::vector<fs::path> write_vtk(const ExactSolution& solution, const std::map<st
 /// is again; time 0 is the beginning.
 struct Piston {
   std::vector<double> times, positions;
+
+  void add(double time, double position) {
+    times.push_back(time);
+    positions.push_back(position);
+  }
 };
 
 Piston solitary_piston(Water& water, double speed, double depth, std::optional<std::vector<double>> times) {
@@ -280,10 +270,9 @@ Piston solitary_piston(Water& water, double speed, double depth, std::optional<s
     return speed * eta / (depth + eta);
   };
   const double step = 1e-3 * depth / speed;
-  Piston piston;
   double t = 0;
   double position = 0;
-  std::vector<double> fine_t{0}, fine_x{0};
+  Piston fine{{0}, {0}};
   while (t < start || rate(t, position) > 1e-4 * speed * crest / (depth + crest)) {
     const double k1 = rate(t, position);
     const double k2 = rate(t + step / 2, position + step / 2 * k1);
@@ -291,32 +280,28 @@ Piston solitary_piston(Water& water, double speed, double depth, std::optional<s
     const double k4 = rate(t + step, position + step * k3);
     position += step * (k1 + 2 * k2 + 2 * k3 + k4) / 6;
     t += step;
-    fine_t.push_back(t);
-    fine_x.push_back(position);
+    fine.add(t, position);
   }
+  Piston piston;
   if (!times) {
-    for (std::size_t k = 0; k < fine_t.size(); k += 20) {
-      piston.times.push_back(fine_t[k]);
-      piston.positions.push_back(fine_x[k]);
-    }
+    for (std::size_t k = 0; k < fine.times.size(); k += 20) piston.add(fine.times[k], fine.positions[k]);
     return piston;
   }
+  const std::vector<double>& x = fine.positions;
   for (const double at : *times) {
-    const double place = std::clamp(at / step, 0.0, static_cast<double>(fine_x.size() - 1));
-    const auto k = std::min(static_cast<std::size_t>(place), fine_x.size() - 2);
-    piston.times.push_back(at);
-    piston.positions.push_back(std::lerp(fine_x[k], fine_x[k + 1], place - static_cast<double>(k)));
+    const double place = std::clamp(at / step, 0.0, static_cast<double>(x.size() - 1));
+    const auto k = std::min(static_cast<std::size_t>(place), x.size() - 2);
+    piston.add(at, std::lerp(x[k], x[k + 1], place - static_cast<double>(k)));
   }
   return piston;
 }
 
 std::vector<fs::path> write_dualsphysics(const ExactSolution& solution, const std::map<std::string, double>& parameters,
-                                         const InputOptions& options) {
+                                         const ExactOptions& options) {
   std::optional<std::vector<double>> times;
   if (!options.grid.empty()) times = along(solution, points_on_grid(solution, options.grid), "t");
   if (times && (times->size() < 2 || times->front() != 0)) {
-    throw std::invalid_argument(fmt::format(
-        "--grid {}: t must be two times or more, the first 0: a paddle starts from rest then", options.grid));
+    fail("--grid {}: t must be two times or more, the first 0: a paddle starts from rest then", options.grid);
   }
   Piston piston;
   if (solution.name == "solitary" || solution.name == "solitary_asymptotic") {
@@ -331,16 +316,15 @@ std::vector<fs::path> write_dualsphysics(const ExactSolution& solution, const st
     for (const double t : *times) {
       // Over the first period the stroke grows from 0: position, velocity and acceleration are continuous.
       const double grown = t < period ? std::pow(std::sin(0.5 * std::numbers::pi * t / period), 2) : 1;
-      piston.times.push_back(t);
-      piston.positions.push_back(grown * 0.5 * stroke * std::sin(2 * std::numbers::pi * t / period));
+      piston.add(t, grown * 0.5 * stroke * std::sin(2 * std::numbers::pi * t / period));
     }
   } else {
-    throw std::invalid_argument(fmt::format(
+    fail(
         "--write dualsphysics: {} has no piston: must be one of solitary, solitary_asymptotic, wavemaker with "
         "kind=piston",
-        solution.name));
+        solution.name);
   }
-  for (double& position : piston.positions) position += options.origin_x;
+  for (double& position : piston.positions) position += options.origin_x();
   return {write(options, "paddle.csv", validation::dualsphysics_motion(piston.times, piston.positions))};
 }
 
@@ -352,11 +336,11 @@ const std::vector<std::string>& input_formats() {
 }
 
 std::vector<fs::path> write_inputs(const ExactSolution& solution, const std::map<std::string, double>& parameters,
-                                   const InputOptions& options) {
-  if (options.format == "dualsphysics") return write_dualsphysics(solution, parameters, options);
-  if (options.format == "vtk") return write_vtk(solution, parameters, options);
+                                   const ExactOptions& options) {
+  if (options.write == "dualsphysics") return write_dualsphysics(solution, parameters, options);
+  if (options.write == "vtk") return write_vtk(solution, parameters, options);
   Water water(solution, parameters);
-  if (options.format == "geoclaw") return write_geoclaw(water, solution, options);
+  if (options.write == "geoclaw") return write_geoclaw(water, solution, options);
   water.at(instant(solution, options));
   return write_openfoam(water, options);
 }

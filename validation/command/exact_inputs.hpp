@@ -9,20 +9,9 @@
 #include <vector>
 
 #include "seiche/exact/catalogue.hpp"
+#include "validation/command/commands.hpp"
 
 namespace seiche::command {
-
-struct InputOptions {
-  std::string format;  ///< openfoam, dualsphysics, geoclaw or vtk
-  std::filesystem::path folder;
-  std::string grid;
-  std::vector<std::string> points;  ///< of --at; the instant
-  std::string centres;              ///< OpenFOAM's field C
-  std::string up = "z";
-  double origin_x = 0;   ///< where the solution's x = 0 is in the solver
-  double origin_up = 0;  ///< and its height 0
-  double width = 1;      ///< of a strip in plan, where the solution knows no y
-};
 
 /// Names that --write takes.
 const std::vector<std::string>& input_formats();
@@ -31,6 +20,6 @@ const std::vector<std::string>& input_formats();
 /// @throws std::invalid_argument where the solution has not what the solver needs, and for bad options
 std::vector<std::filesystem::path> write_inputs(const exact::ExactSolution& solution,
                                                 const std::map<std::string, double>& parameters,
-                                                const InputOptions& options);
+                                                const ExactOptions& options);
 
 }  // namespace seiche::command

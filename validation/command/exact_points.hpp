@@ -12,6 +12,9 @@ namespace seiche::command {
 /// A value for every input of a solution, in their order.
 using Point = std::vector<double>;
 
+/// The default of every input.
+Point default_point(const exact::ExactSolution& solution);
+
 /// The points of --at ("x=1,t=2"), or the product of the ranges of --grid ("x=-10:10:401,t=2"), the first input running
 /// fastest. Inputs that are not named keep their default.
 ///

@@ -1,5 +1,5 @@
 #include <map>
-#include <stdexcept>
+#include <ranges>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -117,8 +117,7 @@ void print_table() {
     if (one.phenomenon != phenomenon) fmt::print("\n{}\n", phenomenon = one.phenomenon);
     fmt::print("  {:<28} {:<17} {}\n  {:<28} {:<17} {}\n", one.name, fmt::format("{}", fmt::join(tiers_of(one), " ")),
                one.title, "", one.submission ? "scores others" : "", one.source);
-    std::vector<std::string> sets;
-    for (const validation::Published& set : one.published) sets.push_back(set.name());
+    const auto sets = one.published | std::views::transform(&validation::Published::name);
     if (!sets.empty()) fmt::print("  {:<28} {:<17} --as {}\n", "", "", fmt::join(sets, ", "));
   }
   fmt::print("\nexact solutions (seiche exact NAME)\n");
@@ -198,29 +197,28 @@ void write_ctest(const ListOptions& options) {
   io::write_file(options.ctest, text + record_tests(program, evidence));
 }
 
+/// A case whose data cannot tell a fifth of an amplitude says so.
+std::string dull(const std::vector<validation::Resolved>& rows) {
+  std::string quantities;
+  for (const validation::Resolved& row : rows) {
+    if (row.change == "amplitude" && !(row.smallest <= 0.2))
+      quantities += fmt::format("{}{}", quantities.empty() ? "; does not detect 20 % of " : ", ", row.quantity);
+  }
+  return quantities;
+}
+
 /// Every case that scores others: its tables with their columns, what to type, and what it can tell.
 void print_scores() {
-  const auto power = validation::recorded_power();
-  const auto print_power = [&](const Case& one, const std::string& table, const std::string& quantity) {
-    const auto rows = power.find(one.name);
-    const std::string told = rows == power.end() ? "" : validation::told_by(rows->second, table, quantity);
-    if (!told.empty()) fmt::print("  {:<12} {}\n", "", told);
-  };
-  // A case whose data cannot tell a fifth of an amplitude says so.
-  const auto dull = [&](const Case& one) {
-    std::string quantities;
-    const auto rows = power.find(one.name);
-    if (rows == power.end()) return quantities;
-    for (const validation::Resolved& row : rows->second) {
-      if (row.change == "amplitude" && !(row.smallest <= 0.2))
-        quantities += fmt::format("{}{}", quantities.empty() ? "; does not detect 20 % of " : ", ", row.quantity);
-    }
-    return quantities;
-  };
+  auto power = validation::recorded_power();
   for (const Case& one : validation::all_cases()) {
     if (!one.submission) continue;
+    const std::vector<validation::Resolved>& rows = power[one.name];
+    const auto print_power = [&](const std::string& table, const std::string& quantity) {
+      const std::string told = validation::told_by(rows, table, quantity);
+      if (!told.empty()) fmt::print("  {:<12} {}\n", "", told);
+    };
     const std::vector<validation::WantedTable> wanted = one.submission.tables(one.values(Tier::quick));
-    fmt::print("{}: {}{}\n", one.name, one.title, dull(one));
+    fmt::print("{}: {}{}\n", one.name, one.title, dull(rows));
     for (const validation::WantedTable& table : wanted) {
       std::vector<std::string> columns;
       for (const validation::Column& column : validation::columns_of(table)) {
@@ -228,9 +226,9 @@ void print_scores() {
       }
       fmt::print("  {:<12} {}\n  {:<12} seiche score {} --template{}\n", table.name, fmt::join(columns, ", "), "",
                  one.name, wanted.size() > 1 ? " --table " + table.name : "");
-      for (const validation::WantedQuantity& q : table.quantities) print_power(one, table.name, q.column.name);
+      for (const validation::WantedQuantity& q : table.quantities) print_power(table.name, q.column.name);
     }
-    print_power(one, "", "");
+    print_power("", "");
   }
 }
 
@@ -303,10 +301,10 @@ void print_claims(const ListOptions& options) {
 
 int list(const ListOptions& options) {
   if (options.claims.empty() && !(options.settings.empty() && options.tier.empty())) {
-    throw std::invalid_argument("list: --tier and --set belong to --claims CASE");
+    fail("list: --tier and --set belong to --claims CASE");
   }
   if (options.json && (options.scores || options.published)) {
-    throw std::invalid_argument("list: --json lists everything: leave out --scores or --published");
+    fail("list: --json lists everything: leave out --scores or --published");
   }
   if (!options.ctest.empty()) {
     write_ctest(options);

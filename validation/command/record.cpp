@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 #include <sstream>
@@ -17,39 +19,46 @@ namespace seiche::command {
 namespace {
 
 using evidence::Summary;
+using validation::Job;
 using validation::Tier;
 
 /// Our own records of a tier in a folder, without those that only an optional library makes.
 std::vector<Summary> records_of(Tier tier, const std::string& directory) {
-  std::vector<Summary> chosen;
-  for (Summary& one : evidence::read_summaries(directory, evidence::Reading::all_files)) {
-    if (one.tier == name(tier) && one.solver == "seiche" && one.group != "distributed")
-      chosen.push_back(std::move(one));
+  std::vector<Summary> records = evidence::read_summaries(directory, evidence::Reading::all_files);
+  std::erase_if(records, [&](const Summary& one) {
+    return one.tier != name(tier) || one.solver != "seiche" || one.group == "distributed";
+  });
+  if (records.empty()) fail("folder {} holds no record of tier {}", directory, name(tier));
+  return records;
+}
+
+/// Sentences about records with other parameters than the tier's.
+std::vector<std::string> not_standard(const std::vector<Summary>& records) {
+  std::vector<std::string> found;
+  for (const Summary& one : records) {
+    if (!one.standard)
+      found.push_back(fmt::format("{}: parameters differ from the defaults of the test level; not usable as a baseline",
+                                  one.stem()));
   }
-  if (chosen.empty()) {
-    throw std::invalid_argument(fmt::format("folder {} holds no record of tier {}", directory, name(tier)));
+  return found;
+}
+
+std::vector<Job> jobs_of(Tier tier) {
+  std::vector<Job> jobs;
+  for (const validation::Case& one : validation::all_cases()) {
+    for (const validation::Values& values : one.runs_of(tier)) jobs.push_back({&one, values});
   }
-  return chosen;
+  return jobs;
 }
 
 /// Sentences about what the tier needs and the folder has not, or has with other parameters. A longer tier may come in
 /// parts: of it, what is there is asked for alone.
 std::vector<std::string> gaps(Tier tier, const std::string& directory, const std::vector<Summary>& records) {
-  std::vector<std::string> found;
-  std::set<std::string> there;
-  for (const Summary& one : records) {
-    there.insert(one.stem());
-    if (!one.standard)
-      found.push_back(fmt::format("{}: parameters differ from the defaults of the test level; not usable as a baseline",
-                                  one.stem()));
-  }
-  for (const validation::Case& one : validation::all_cases()) {
-    for (const validation::Values& values : one.runs_of(tier)) {
-      const validation::Job job{&one, values};
-      if ((tier == Tier::quick || there.contains(job.stem())) && !validation::is_done(job, directory)) {
-        found.push_back(fmt::format("{}: no finished record of this program", job.stem()));
-      }
-    }
+  std::vector<std::string> found = not_standard(records);
+  for (const Job& job : jobs_of(tier)) {
+    const bool asked = tier == Tier::quick || std::ranges::find(records, job.stem(), &Summary::stem) != records.end();
+    if (asked && !validation::is_done(job, directory))
+      found.push_back(fmt::format("{}: no finished record of this program", job.stem()));
   }
   return found;
 }
@@ -57,10 +66,8 @@ std::vector<std::string> gaps(Tier tier, const std::string& directory, const std
 /// Without what no run of the tier makes any more.
 std::vector<Summary> current(Tier tier, std::vector<Summary> records) {
   std::set<std::string> stems;
-  for (const validation::Case& one : validation::all_cases()) {
-    for (const validation::Values& values : one.runs_of(tier)) stems.insert(validation::Job{&one, values}.stem());
-  }
-  std::erase_if(records, [&](const Summary& one) { return one.kind == "validation" && stems.count(one.stem()) == 0; });
+  for (const Job& job : jobs_of(tier)) stems.insert(job.stem());
+  std::erase_if(records, [&](const Summary& one) { return one.kind == "validation" && !stems.contains(one.stem()); });
   return records;
 }
 
@@ -155,21 +162,14 @@ int compare_with_record(const CompareOptions& options) {
   const Tier tier = tier_from(options.tier);
   const std::filesystem::path file = file_of(tier, options.after);
   if (!std::filesystem::is_regular_file(file)) {
-    throw std::invalid_argument(fmt::format("compare --record: no baseline {}", file.string()));
+    fail("compare --record: no baseline {}", file.string());
   }
   const std::vector<Summary> records = records_of(tier, options.before);
-  std::vector<std::string> changed;
-  for (const Summary& one : records) {
-    if (!one.standard)
-      changed.push_back(fmt::format(
-          "{}: parameters differ from the defaults of the test level; not usable as a baseline", one.stem()));
-  }
+  std::vector<std::string> changed = not_standard(records);
   const auto now = evidence::recorded_claims(records);
   std::vector<evidence::RecordedClaim> before = evidence::read_recorded_claims(file);
   const std::size_t left_out = options.whole ? 0 : drop_others(before, now);
-  for (std::string& change : evidence::changes(before, now)) {
-    changed.push_back(std::move(change));
-  }
+  std::ranges::move(evidence::changes(before, now), std::back_inserter(changed));
   for (const std::string& change : changed) fmt::print("  {}\n", change);
   fmt::print("{} claims, {} changed from {}\n", now.size(), changed.size(), file.string());
   if (left_out > 0) fmt::print("{} claims of other runs not compared; --whole asks for them\n", left_out);

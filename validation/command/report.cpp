@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "validation/case/data_folder.hpp"
+#include "validation/case/refusal.hpp"
 #include "validation/case/registry.hpp"
 #include "validation/command/commands.hpp"
 
@@ -38,20 +39,12 @@ int report(const ReportOptions& options) {
   const auto is_record = [](const auto& entry) { return entry.path().extension() == ".json"; };
   if (!std::filesystem::is_directory(folder) ||
       std::none_of(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator(), is_record)) {
-    throw std::invalid_argument(fmt::format(
-        "report: {}: must be a folder with records, as 'seiche run' and 'seiche score' write them", options.evidence));
+    validation::fail("report: {}: must be a folder with records, as 'seiche run' and 'seiche score' write them",
+                     options.evidence);
   }
-  const std::string out =
-      options.out.empty() ? (std::filesystem::path(options.evidence) / "report").string() : options.out;
-  std::vector<std::string> words{python(),
-                                 validation::data_folder("render").string(),
-                                 options.evidence,
-                                 "--out",
-                                 out,
-                                 "--jobs",
-                                 std::to_string(options.jobs),
-                                 "--scorable",
-                                 scorable()};
+  const std::string out = options.out.empty() ? (folder / "report").string() : options.out;
+  std::vector<std::string> words{python(), validation::data_folder("render").string(), options.evidence};
+  words.insert(words.end(), {"--out", out, "--jobs", std::to_string(options.jobs), "--scorable", scorable()});
   if (options.with_data) words.emplace_back("--with-data");
   if (!options.pdf.empty()) words.insert(words.end(), {"--pdf", options.pdf});
   std::vector<char*> arguments;

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <stdexcept>
 
 #include <fmt/format.h>
 #include <fnmatch.h>
@@ -19,7 +18,7 @@ using validation::Tier;
 std::vector<const Case*> named(const RunOptions& options) {
   std::vector<const Case*> cases;
   const auto add = [&](const Case& one) {
-    if (std::find(cases.begin(), cases.end(), &one) == cases.end()) cases.push_back(&one);
+    if (std::ranges::find(cases, &one) == cases.end()) cases.push_back(&one);
   };
   for (const std::string& name_of : options.cases) {
     if (name_of.find_first_of("*?") == std::string::npos) {
@@ -30,9 +29,7 @@ std::vector<const Case*> named(const RunOptions& options) {
     for (const Case& one : validation::all_cases()) {
       if (fnmatch(name_of.c_str(), one.name.c_str(), 0) == 0) add(one);
     }
-    if (cases.size() == before) {
-      throw std::invalid_argument(fmt::format("run: no further case is called {}: 'seiche list' shows all", name_of));
-    }
+    if (cases.size() == before) fail("run: no further case is called {}: 'seiche list' shows all", name_of);
   }
   return cases;
 }
@@ -44,7 +41,7 @@ std::vector<Job> jobs_of(Tier tier, const RunOptions& options) {
   for (const Case& one : validation::all_cases()) {
     if (as_given) {
       for (validation::Values& values : one.runs_of(tier)) jobs.push_back({&one, std::move(values)});
-    } else if (std::find(one.tiers.begin(), one.tiers.end(), tier) != one.tiers.end()) {
+    } else if (std::ranges::find(one.tiers, tier) != one.tiers.end()) {
       jobs.push_back({&one, values_for(one, tier, options.config, options.settings)});
     }
   }
@@ -61,13 +58,12 @@ Tier usual_tier(const Case& one) {
 /// The one case that --as is about, with its set.
 Job published_job(const std::vector<const Case*>& cases, const RunOptions& options) {
   if (cases.size() != 1)
-    throw std::invalid_argument(
-        "run --as: name exactly one case; its as-published sets are listed by 'seiche list --published'");
-  if (!options.config.empty()) throw std::invalid_argument("run: --as and --config: leave one of the two out");
+    fail("run --as: name exactly one case; its as-published sets are listed by 'seiche list --published'");
+  if (!options.config.empty()) fail("run: --as and --config: leave one of the two out");
   Job job{cases.front(), published_values(*cases.front(), options.as, options.settings)};
   if (!options.tier.empty() && tier_from(options.tier) != job.values.tier()) {
-    throw std::invalid_argument(fmt::format("run --as: the as-published set {} belongs to the level {}, not --tier {}",
-                                            options.as, name(job.values.tier()), options.tier));
+    fail("run --as: the as-published set {} belongs to the level {}, not --tier {}", options.as,
+         name(job.values.tier()), options.tier);
   }
   return job;
 }
@@ -100,7 +96,7 @@ int run(const RunOptions& options) {
   } else if (!options.tier.empty()) {
     jobs = jobs_of(tier, options);
   } else {
-    throw std::invalid_argument("run: name a case, or a tier with --tier");
+    fail("run: name a case, or a tier with --tier");
   }
   return exit_status(run_all(jobs, options.run));
 }

@@ -2,7 +2,10 @@
 #include <cctype>
 #include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <optional>
+#include <ranges>
+#include <set>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -35,51 +38,47 @@
 namespace seiche::command {
 namespace {
 
+namespace fs = std::filesystem;
 using validation::Case;
+using validation::ColumnNames;
+using validation::Finding;
+using validation::Resolved;
+using validation::StatedUncertainty;
 using validation::Values;
 using validation::WantedTable;
+using Json = nlohmann::ordered_json;
 
 /// Names of everything that may be mapped; `with_uncertainty`: that may have an uncertainty.
-std::vector<std::string> known_columns(const std::vector<WantedTable>& wanted, bool with_uncertainty) {
-  std::vector<std::string> names;
+std::set<std::string> known_columns(const std::vector<WantedTable>& wanted, bool with_uncertainty) {
+  std::set<std::string> names;
   for (const WantedTable& table : wanted) {
-    if (table.group && !with_uncertainty) names.push_back(table.group->name);
-    if (table.abscissa) names.push_back(table.abscissa->name);
-    for (const validation::WantedQuantity& q : table.quantities) names.push_back(q.column.name);
+    for (const validation::Column& column : validation::columns_of(table)) {
+      if (!with_uncertainty || !table.group || column.name != table.group->name) names.insert(column.name);
+    }
   }
-  if (!with_uncertainty) {
-    const std::vector<std::string> history = validation::history_names(wanted, {});
-    names.insert(names.end(), history.begin(), history.end());
-  }
-  std::sort(names.begin(), names.end());
-  names.erase(std::unique(names.begin(), names.end()), names.end());
+  if (with_uncertainty) return names;
+  for (const std::string& name : validation::history_names(wanted, {})) names.insert(name);
   return names;
 }
 
 void require_known(const std::string& option, const Case& one, const std::string& name,
-                   const std::vector<std::string>& known) {
-  if (std::find(known.begin(), known.end(), name) == known.end()) {
-    throw std::invalid_argument(fmt::format("{}: case {} has no quantity {}: must be one of {}", option, one.name, name,
-                                            fmt::join(known, ", ")));
-  }
+                   const std::set<std::string>& known) {
+  if (known.contains(name)) return;
+  fail("{}: case {} has no quantity {}: must be one of {}", option, one.name, name, fmt::join(known, ", "));
 }
 
-validation::ColumnNames column_names(const Case& one, const std::vector<WantedTable>& wanted,
-                                     const std::vector<std::string>& map) {
-  validation::ColumnNames renamed;
+ColumnNames column_names(const Case& one, const std::vector<WantedTable>& wanted, const std::vector<std::string>& map) {
+  ColumnNames renamed;
   for (const auto& [in_file, quantity] : split_settings("--map", map)) {
     require_known("--map", one, quantity, known_columns(wanted, false));
-    if (!renamed.emplace(quantity, in_file).second) {
-      throw std::invalid_argument(fmt::format("--map: quantity {} is given twice", quantity));
-    }
+    if (!renamed.emplace(quantity, in_file).second) fail("--map: quantity {} is given twice", quantity);
   }
   return renamed;
 }
 
-std::map<std::string, validation::StatedUncertainty> uncertainties(const Case& one,
-                                                                   const std::vector<WantedTable>& wanted,
-                                                                   const std::vector<std::string>& texts) {
-  std::map<std::string, validation::StatedUncertainty> stated;
+std::map<std::string, StatedUncertainty> uncertainties(const Case& one, const std::vector<WantedTable>& wanted,
+                                                       const std::vector<std::string>& texts) {
+  std::map<std::string, StatedUncertainty> stated;
   for (const auto& [quantity, text] : split_settings("--uncertainty", texts)) {
     require_known("--uncertainty", one, quantity, known_columns(wanted, true));
     stated[quantity] = validation::uncertainty_from(quantity, text);
@@ -87,22 +86,21 @@ std::map<std::string, validation::StatedUncertainty> uncertainties(const Case& o
   return stated;
 }
 
+auto names_of(const std::vector<WantedTable>& wanted) {
+  return wanted | std::views::transform(&WantedTable::name);
+}
+
 /// The table of that name; throws where the case has none.
 const WantedTable& table_named(const std::vector<WantedTable>& wanted, const std::string& name) {
-  std::vector<std::string> names;
-  for (const WantedTable& table : wanted) {
-    if (table.name == name) return table;
-    names.push_back(table.name);
-  }
-  throw std::invalid_argument(fmt::format("--table {}: must be one of {}", name, fmt::join(names, ", ")));
+  const auto found = std::ranges::find(wanted, name, &WantedTable::name);
+  if (found == wanted.end()) fail("--table {}: must be one of {}", name, fmt::join(names_of(wanted), ", "));
+  return *found;
 }
 
 int print_template(const Case& one, const std::vector<WantedTable>& wanted, const std::string& name) {
   if (name.empty() && wanted.size() > 1) {
-    std::vector<std::string> names;
-    for (const WantedTable& table : wanted) names.push_back(table.name);
-    throw std::invalid_argument(fmt::format("--template: case {} takes several tables: add --table with one of {}",
-                                            one.name, fmt::join(names, ", ")));
+    fail("--template: case {} takes several tables: add --table with one of {}", one.name,
+         fmt::join(names_of(wanted), ", "));
   }
   fmt::print("{}", validation::template_of(
                        name.empty() ? wanted.front() : table_named(wanted, name),
@@ -114,15 +112,15 @@ int print_template(const Case& one, const std::vector<WantedTable>& wanted, cons
 
 /// Status 1 where a right result does not pass.
 int print_power(const Case& one, const Values& values, const std::vector<WantedTable>& wanted, bool as_json) {
-  const std::vector<validation::Resolved> rows = validation::resolving_power(one, values);
-  auto json = nlohmann::ordered_json::array();
+  const std::vector<Resolved> rows = validation::resolving_power(one, values);
+  auto json = Json::array();
   const auto print_shapes = [&](const std::string& table) {
-    for (const validation::Resolved& row : rows) {
+    for (const Resolved& row : rows) {
       if (row.table != table || !row.quantity.empty() || !std::isnan(row.smallest)) continue;
       fmt::print("  {:<14} {}\n", row.change, row.by.empty() ? "passes" : row.by);
     }
   };
-  for (const validation::Resolved& row : rows) {
+  for (const Resolved& row : rows) {
     json.push_back({{"table", row.table},
                     {"quantity", row.quantity},
                     {"change", row.change},
@@ -134,7 +132,7 @@ int print_power(const Case& one, const Values& values, const std::vector<WantedT
   if (as_json) {
     const bool exact = std::ranges::all_of(
         wanted, [](const WantedTable& table) { return table.reference_role == evidence::Role::exact; });
-    fmt::print("{}\n", nlohmann::ordered_json{{"exact", exact}, {"changes", json}}.dump(1));
+    fmt::print("{}\n", Json{{"exact", exact}, {"changes", json}}.dump(1));
   } else {
     fmt::print("{}: {}\n", one.name, validation::told_by(rows, "", ""));
     print_shapes("");
@@ -145,7 +143,7 @@ int print_power(const Case& one, const Values& values, const std::vector<WantedT
       print_shapes(table.name);
     }
   }
-  const auto wrong = [](const validation::Resolved& row) { return row.right_result() && !row.by.empty(); };
+  const auto wrong = [](const Resolved& row) { return row.right_result() && !row.by.empty(); };
   return std::ranges::any_of(rows, wrong) ? 1 : 0;
 }
 
@@ -153,16 +151,13 @@ int print_power(const Case& one, const Values& values, const std::vector<WantedT
 std::string error_text(const evidence::JudgedClaim& claim) {
   const evidence::Judgement& j = claim.judgement;
   const double error = j.measured - j.expected;
+  const double size = std::abs(j.expected);
   if (!std::isfinite(error)) return "not measured";
-  if (j.limit < std::abs(j.expected)) {
-    return fmt::format("error {:+.3g} %, limit {:.3g} %", 100 * error / std::abs(j.expected),
-                       100 * j.limit / std::abs(j.expected));
-  }
+  if (j.limit < size) return fmt::format("error {:+.3g} %, limit {:.3g} %", 100 * error / size, 100 * j.limit / size);
   return fmt::format("error {:+.3g}, limit {:.3g}{}", error, j.limit, validation::after_number(claim.claim.unit));
 }
 
-void print(const evidence::Record& record, const std::vector<validation::Finding>& findings,
-           const validation::FirstLook& look) {
+void print(const evidence::Record& record, const std::vector<Finding>& findings, const validation::FirstLook& look) {
   for (const auto& [question, answer] : look) fmt::print("{}: {}\n", question, answer);
   for (const auto& [quantity, value] : record.measurements()) {
     if (!std::isnan(value)) fmt::print("  {:<28} {:.6g}\n", quantity, value);  // a plateau has no shift
@@ -175,19 +170,9 @@ void print(const evidence::Record& record, const std::vector<validation::Finding
   for (const evidence::ClaimLeftOut& left : record.left_out()) {
     fmt::print("  {:<12} {} ({})\n", "not scored", left.claim.text, left.reason);
   }
-  for (const validation::Finding& one : findings)
-    fmt::print("  {:<12} {}: your result {}\n", "look", one.where, one.words);
+  for (const Finding& one : findings) fmt::print("  {:<12} {}: your result {}\n", "look", one.where, one.words);
   const bool met = record.as_declared();
   fmt::print("{}: {}\n", record.name, met ? "every claim is met" : "not every claim is met");
-}
-
-void require_solver_name(const std::string& name) {
-  const bool plain = !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) {
-    return std::isalnum(c) != 0 || c == '-' || c == '_';
-  });
-  if (!plain || name == "seiche") {
-    throw std::invalid_argument(fmt::format("--solver {}: must be letters, digits, '-' and '_', and not seiche", name));
-  }
 }
 
 /// The number of the smallest size; 0 without any.
@@ -195,47 +180,35 @@ std::size_t finest_of(const std::vector<double>& sizes) {
   return static_cast<std::size_t>(std::min_element(sizes.begin(), sizes.end()) - sizes.begin());
 }
 
-void require_repeats(const ScoreOptions& options) {
-  if (options.repeats == 1) return;
-  if (!options.sizes.empty()) throw std::invalid_argument("--repeats and --sizes: leave one of the two out");
-  if (options.data.size() % options.repeats != 0) {
-    throw std::invalid_argument(fmt::format(
-        "--data: got {} files for {} repeats; give the same number for each run, all files of the first run first",
-        options.data.size(), options.repeats));
-  }
+void require_as_many(const ScoreOptions& options, std::size_t blocks, const char* several, const char* one) {
+  if (options.data.size() % blocks == 0) return;
+  fail("--data: got {0} files for {1} {2}; give the same number for each {3}, all files of the first {3} first",
+       options.data.size(), blocks, several, one);
 }
 
-void require_ladder(const ScoreOptions& options) {
+/// @throws std::invalid_argument for what does not go together
+void require_valid(const ScoreOptions& options) {
+  const auto is_plain = [](unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_'; };
+  if (options.solver.empty() || options.solver == "seiche" || !std::ranges::all_of(options.solver, is_plain))
+    fail("--solver {}: must be letters, digits, '-' and '_', and not seiche", options.solver);
+  const std::vector<std::string>& formats = validation::solver_formats();
+  if (options.format != "auto" && std::ranges::find(formats, options.format) == formats.end())
+    fail("--format {}: must be auto or one of {}", options.format, fmt::join(formats, ", "));
   const std::size_t sizes = options.sizes.size();
-  if (!options.seconds.empty() && options.seconds.size() != std::max<std::size_t>(sizes, 1)) {
-    throw std::invalid_argument(fmt::format("--seconds {}: must be one number, or one for each of the {} --sizes",
-                                            fmt::join(options.seconds, ","), sizes));
-  }
-  if (sizes == 0) return;
-  if (options.cell > 0) throw std::invalid_argument("--dx: --sizes say how large the cells are");
-  if (options.data.size() % sizes != 0) {
-    throw std::invalid_argument(fmt::format(
-        "--data: got {} files for {} cell sizes; give the same number for each size, all files of the first size first",
-        options.data.size(), sizes));
-  }
+  if (!options.seconds.empty() && options.seconds.size() != std::max<std::size_t>(sizes, 1))
+    fail("--seconds {}: must be one number, or one for each of the {} --sizes", fmt::join(options.seconds, ","), sizes);
+  if (sizes > 0 && options.cell > 0) fail("--dx: --sizes say how large the cells are");
+  if (sizes > 0) require_as_many(options, sizes, "cell sizes", "size");
+  if (sizes > 0 && options.repeats > 1) fail("--repeats and --sizes: leave one of the two out");
+  require_as_many(options, options.repeats, "repeats", "run");
 }
 
-validation::SolverFacts facts_of(const ScoreOptions& options,
-                                 std::map<std::string, validation::StatedUncertainty> uncertainty) {
-  validation::SolverFacts facts;
-  facts.uncertainty = std::move(uncertainty);
+validation::SolverFacts facts_of(const ScoreOptions& options, std::map<std::string, StatedUncertainty> uncertainty) {
+  validation::SolverFacts facts{.cell = {}, .seconds = {}, .uncertainty = std::move(uncertainty)};
   if (options.cell > 0) facts.cell = options.cell;
   if (!options.sizes.empty()) facts.cell = options.sizes[finest_of(options.sizes)];
   if (!options.seconds.empty()) facts.seconds = options.seconds.at(finest_of(options.sizes));
   return facts;
-}
-
-void require_format(const ScoreOptions& options) {
-  const std::vector<std::string>& known = validation::solver_formats();
-  if (options.format != "auto" && std::find(known.begin(), known.end(), options.format) == known.end()) {
-    throw std::invalid_argument(
-        fmt::format("--format {}: must be auto or one of {}", options.format, fmt::join(known, ", ")));
-  }
 }
 
 /// What was read of some of the files: the case's tables, and a history of what is conserved.
@@ -247,10 +220,9 @@ struct Read {
 };
 
 Read read(const ScoreOptions& options, const std::vector<std::string>& data, const std::vector<WantedTable>& wanted,
-          const validation::ColumnNames& renamed) {
+          const ColumnNames& renamed) {
   validation::Reading how{.format = options.format, .wanted = validation::names_in_files(wanted, renamed)};
-  const std::vector<std::string> history = validation::history_names(wanted, renamed);
-  how.wanted.insert(how.wanted.end(), history.begin(), history.end());
+  std::ranges::move(validation::history_names(wanted, renamed), std::back_inserter(how.wanted));
   std::istringstream given(options.columns);
   for (std::string name; std::getline(given, name, ',');) how.columns.push_back(name);
   validation::Understanding understood{.renamed = renamed};
@@ -268,9 +240,8 @@ Read read(const ScoreOptions& options, const std::vector<std::string>& data, con
   }
   result.history = validation::take_history(tables, wanted, renamed);
   if (tables.empty()) {
-    throw std::invalid_argument(
-        fmt::format("{}: contains only a volume, energy or momentum history; the case also needs one of its tables",
-                    fmt::join(data, ", ")));
+    fail("{}: contains only a volume, energy or momentum history; the case also needs one of its tables",
+         fmt::join(data, ", "));
   }
   result.submitted = validation::submitted_from(tables, wanted, understood);
   result.notes = understood.notes;
@@ -279,7 +250,7 @@ Read read(const ScoreOptions& options, const std::vector<std::string>& data, con
 
 /// Every size's files, coarse or fine first, or every repeat's.
 std::vector<Read> read_all(const ScoreOptions& options, const std::vector<WantedTable>& wanted,
-                           const validation::ColumnNames& renamed) {
+                           const ColumnNames& renamed) {
   const std::size_t blocks = std::max<std::size_t>(options.sizes.size(), options.repeats);
   const std::size_t each = options.data.size() / blocks;
   std::vector<Read> all;
@@ -314,11 +285,9 @@ std::optional<validation::Repeats> repeats_of(const ScoreOptions& options, std::
 
 /// The baseline, read before this score is written; none where this is to be the first.
 std::optional<evidence::Summary> read_baseline(const ScoreOptions& options, const evidence::Record& record) {
-  namespace fs = std::filesystem;
   if (options.baseline.empty()) return std::nullopt;
-  if (fs::weakly_canonical(fs::path(options.baseline) / "") == fs::weakly_canonical(fs::path(options.out) / "")) {
-    throw std::invalid_argument(fmt::format("--baseline {}: is --out, must be another folder", options.baseline));
-  }
+  if (fs::weakly_canonical(fs::path(options.baseline) / "") == fs::weakly_canonical(fs::path(options.out) / ""))
+    fail("--baseline {}: is --out, must be another folder", options.baseline);
   const fs::path kept = fs::path(options.baseline) / (record.stem() + ".json");
   std::string why = fmt::format("has no {}", kept.filename().string());
   if (fs::is_regular_file(kept)) {
@@ -327,15 +296,13 @@ std::optional<evidence::Summary> read_baseline(const ScoreOptions& options, cons
     if (why.empty()) return before;
   }
   if (options.bless) return std::nullopt;
-  throw std::invalid_argument(
-      fmt::format("--baseline {}: {}: --bless makes this score the baseline", options.baseline, why));
+  fail("--baseline {}: {}: --bless makes this score the baseline", options.baseline, why);
 }
 
 /// Tells what changed since the baseline; with --bless, makes the record the baseline. Returns whether anything is
 /// worse.
 bool compare_with_baseline(const ScoreOptions& options, const std::string& stem,
                            const std::optional<evidence::Summary>& before, std::vector<std::string>& told) {
-  namespace fs = std::filesystem;
   const fs::path written = fs::path(options.out) / (stem + ".json");
   const fs::path kept = fs::path(options.baseline) / (stem + ".json");
   bool worse = false;
@@ -386,16 +353,14 @@ void print_reading(const Read& read) {
 }
 
 /// As reports/schema/score.schema.json says.
-nlohmann::ordered_json as_json(const std::vector<Read>& all, const evidence::Record& record,
-                               const std::vector<validation::Finding>& findings, const validation::FirstLook& look,
-                               const std::string& written) {
-  using Json = nlohmann::ordered_json;
+Json as_json(const std::vector<Read>& all, const evidence::Record& record, const std::vector<Finding>& findings,
+             const validation::FirstLook& look, const std::string& written) {
   Json notes = Json::array();
   for (const Read& read : all) {
     for (const std::string& note : read.notes) notes.push_back(printable(note));
   }
   Json diagnosis = Json::array();
-  for (const validation::Finding& one : findings) diagnosis.push_back({{"where", one.where}, {"finding", one.words}});
+  for (const Finding& one : findings) diagnosis.push_back({{"where", one.where}, {"finding", one.words}});
   Json summary = Json::object();
   for (const auto& [question, answer] : look) summary[question] = answer;
   return {{"verdict", record.as_declared() ? "pass" : "fail"},
@@ -409,20 +374,14 @@ nlohmann::ordered_json as_json(const std::vector<Read>& all, const evidence::Rec
 
 int score(const ScoreOptions& options) {
   const Case& one = validation::find_case(options.name);
-  if (!one.submission) {
-    throw std::invalid_argument(
-        fmt::format("score: case {} does not score others: 'seiche list' shows which do", one.name));
-  }
+  if (!one.submission) fail("score: case {} does not score others: 'seiche list' shows which do", one.name);
   const Values values = values_for(one, validation::Tier::quick, options.config, options.settings);
   std::vector<WantedTable> wanted = one.submission.tables(values);
   if (options.template_only) return print_template(one, wanted, options.table);
   if (options.resolving_power) return print_power(one, values, wanted, options.json);
-  if (options.data.empty()) throw std::invalid_argument("score: --data FILE is missing (or --template)");
-  require_solver_name(options.solver);
-  require_format(options);
-  require_ladder(options);
-  require_repeats(options);
-  const validation::ColumnNames renamed = column_names(one, wanted, options.map);
+  if (options.data.empty()) fail("score: --data FILE is missing (or --template)");
+  require_valid(options);
+  const ColumnNames renamed = column_names(one, wanted, options.map);
   auto uncertainty = uncertainties(one, wanted, options.uncertainty);
 
   evidence::Record record = validation::Job{&one, values}.blank_record();
@@ -431,9 +390,8 @@ int score(const ScoreOptions& options) {
   if (!options.table.empty()) {
     const WantedTable alone = table_named(wanted, options.table);
     for (const WantedTable& table : wanted) {
-      if (table.name != alone.name) {
+      if (table.name != alone.name)
         validation::leave_out(table, fmt::format("--table {} asks for that table alone", alone.name), record);
-      }
     }
     wanted = {alone};
   }
@@ -446,7 +404,7 @@ int score(const ScoreOptions& options) {
   if (repeats) validation::add_scatter(*repeats, uncertainty);
   const Read& judged = all[finest_of(options.sizes)];
   for (const Read& read : all) note_files(read.files, record);
-  std::vector<validation::Finding> findings;
+  std::vector<Finding> findings;
   validation::FirstLook look;
   const validation::SolverFacts facts = facts_of(options, uncertainty);
   try {
@@ -464,7 +422,7 @@ int score(const ScoreOptions& options) {
     }
     validation::show_first_look(look, record);
   } catch (const std::invalid_argument& wrong) {
-    throw std::invalid_argument(fmt::format("{}: {}", fmt::join(options.data, ", "), wrong.what()));
+    fail("{}: {}", fmt::join(options.data, ", "), wrong.what());
   }
   record.wall_time = facts.seconds.value_or(0);  // of the solver's run: how long the scoring took is nobody's business
   if (facts.cell) record.measure("cell_size", *facts.cell);

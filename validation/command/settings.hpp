@@ -6,11 +6,17 @@
 #include <vector>
 
 #include "validation/case/case.hpp"
+#include "validation/case/refusal.hpp"
 
 namespace seiche::command {
 
+using validation::fail;
+
 /// What --tier names. @throws std::invalid_argument
 validation::Tier tier_from(const std::string& text);
+
+/// What stands between separators; one part without any.
+std::vector<std::string> parts_of(const std::string& text, char separator);
 
 /// "a=1,b=2", the option repeated, taken apart. @throws std::invalid_argument naming the option
 std::vector<std::pair<std::string, std::string>> split_settings(const std::string& option,

@@ -54,13 +54,11 @@ std::vector<Since> changes_since(const evidence::Summary& before, const evidence
   std::map<std::string, const Outcome*> old;
   for (const Outcome& claim : before.claims) old[claim.id] = &claim;
   for (const Outcome& claim : after.claims) {
-    const auto was = old.find(claim.id);
-    if (was == old.end()) {
+    if (const auto was = old.extract(claim.id)) {
+      compare(*was.mapped(), claim, all);
+    } else {
       all.push_back({Since::Kind::other, claim.id, "new: " + claim.verdict});
-      continue;
     }
-    compare(*was->second, claim, all);
-    old.erase(was);
   }
   for (const auto& [id, claim] : old) all.push_back({Since::Kind::worse, id, "no longer claimed"});
   return all;

@@ -17,9 +17,7 @@ namespace seiche::validation {
 namespace {
 
 std::string where_of(const WantedTable& table, const WantedQuantity& quantity, const SubmittedGroup& group) {
-  if (!table.group) return quantity.column.name;
-  return fmt::format("{}, {} = {:g}{}", quantity.column.name, table.group->name, group.value,
-                     after_number(table.group->unit));
+  return quantity.column.name + (table.group ? ", " + group_in_words(table, group.value) : std::string());
 }
 
 struct Points {
@@ -52,10 +50,9 @@ std::optional<Finding> neighbour(const WantedTable& table, const WantedQuantity&
     if (other == group.value) continue;
     const double left = misfit(submitted, reference_of(table, quantity, {.value = other}).curve()) / before;
     if (!(left < (found ? found->left : explained_below))) continue;
-    found = Finding{where_of(table, quantity, group),
-                    fmt::format("is the reference of {} = {:g}{}: another gauge or instant?", table.group->name, other,
-                                after_number(table.group->unit)),
-                    left};
+    found =
+        Finding{where_of(table, quantity, group),
+                fmt::format("is the reference of {}: another gauge or instant?", group_in_words(table, other)), left};
   }
   return found;
 }
@@ -64,19 +61,14 @@ std::optional<Finding> neighbour(const WantedTable& table, const WantedQuantity&
 std::optional<Finding> short_of(const WantedTable& table, const WantedQuantity& quantity, const SubmittedGroup& group,
                                 Curve reference) {
   const double margin = (1 - table.least_coverage) * (reference.x.back() - reference.x.front());
-  const double first = group.abscissa.front();
-  const double last = group.abscissa.back();
+  const bool ends = group.abscissa.back() < reference.x.back() - margin;
+  if (!ends && !(group.abscissa.front() > reference.x.front() + margin)) return std::nullopt;
   const Column& axis = *table.abscissa;
-  std::string words;
-  if (last < reference.x.back() - margin) {
-    words = fmt::format("ends at {} = {:.4g}{}, the reference at {:.4g}", axis.name, last, after_number(axis.unit),
-                        reference.x.back());
-  } else if (first > reference.x.front() + margin) {
-    words = fmt::format("begins at {} = {:.4g}{}, the reference at {:.4g}", axis.name, first, after_number(axis.unit),
-                        reference.x.front());
-  }
-  if (words.empty()) return std::nullopt;
-  return Finding{where_of(table, quantity, group), words + ": a file cut short, or another window?", 1};
+  return Finding{where_of(table, quantity, group),
+                 fmt::format("{} at {} = {:.4g}{}, the reference at {:.4g}: a file cut short, or another window?",
+                             ends ? "ends" : "begins", axis.name, ends ? group.abscissa.back() : group.abscissa.front(),
+                             after_number(axis.unit), ends ? reference.x.back() : reference.x.front()),
+                 1};
 }
 
 /// What is said of one curve, with what tells whether other groups say the same.
@@ -119,9 +111,8 @@ void add_curves(const WantedTable& table, const std::vector<SubmittedGroup>& gro
     for (const SubmittedGroup& group : groups) {
       for (const Said& one : said_of(table, quantity, group, shift_fitted)) all.push_back(one);
     }
-    const bool everywhere =
-        all.size() > 1 && all.size() == groups.size() &&
-        std::all_of(all.begin(), all.end(), [&](const Said& one) { return same(all.front(), one); });
+    const bool everywhere = all.size() > 1 && all.size() == groups.size() &&
+                            std::ranges::all_of(all, [&](const Said& one) { return same(all.front(), one); });
     if (everywhere) {
       all.front().finding.where = fmt::format("{}, every {}", quantity.column.name, table.group->name);
       all.resize(1);
@@ -147,12 +138,10 @@ void add_numbers(const WantedTable& table, const std::vector<SubmittedGroup>& gr
 std::vector<Finding> diagnosis(const std::vector<WantedTable>& wanted, const Submitted& submitted, bool shift_fitted) {
   std::vector<Finding> findings;
   for (const WantedTable& table : wanted) {
-    const auto found = submitted.find(table.name);
-    if (found == submitted.end()) continue;
     if (table.kind == WantedTable::Kind::scalars) {
-      add_numbers(table, found->second, findings);
+      add_numbers(table, groups_in(submitted, table), findings);
     } else {
-      add_curves(table, found->second, shift_fitted, findings);
+      add_curves(table, groups_in(submitted, table), shift_fitted, findings);
     }
   }
   return findings;

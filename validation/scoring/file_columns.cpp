@@ -1,13 +1,14 @@
 #include "validation/scoring/file_columns.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <stdexcept>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "seiche/io/text_table.hpp"
+#include "validation/case/refusal.hpp"
 #include "validation/scoring/units.hpp"
 
 namespace seiche::validation {
@@ -17,21 +18,20 @@ bool is_missing(double value) {
 }
 
 void FileColumns::fail(const Column& column, const std::string& what) const {
-  throw std::invalid_argument(fmt::format("{}: column {}: {}", file_.source, find(column).value_or(column.name), what));
+  validation::fail("{}: column {}: {}", file_.source, find(column).value_or(column.name), what);
 }
 void FileColumns::fail(const Column& column, std::size_t row, const std::string& what) const {
-  throw std::invalid_argument(
-      fmt::format("{}: {}: column {}: {}", file_.source, file_.place(row), find(column).value_or(column.name), what));
+  validation::fail("{}: {}: column {}: {}", file_.source, file_.place(row), find(column).value_or(column.name), what);
 }
 void FileColumns::note(const std::string& what) const {
   const std::string sentence = file_.source + ": " + what;
   std::vector<std::string>& notes = understood_.notes;
-  if (std::find(notes.begin(), notes.end(), sentence) == notes.end()) notes.push_back(sentence);
+  if (std::ranges::find(notes, sentence) == notes.end()) notes.push_back(sentence);
 }
 
 bool FileColumns::is_wanted(const std::string& name) const {
   const std::vector<Column> all = columns_of(wanted_);
-  return std::any_of(all.begin(), all.end(), [&](const Column& column) { return column.name == name; });
+  return std::ranges::find(all, name, &Column::name) != all.end();
 }
 
 const std::optional<std::string>& FileColumns::find(const Column& column) const {
@@ -57,20 +57,17 @@ std::optional<std::string> FileColumns::found(const Column& column) const {
   if (!others.empty()) return others.front();
   const bool quantity = alone_ && understood_.gauges.empty() && wanted_.quantities.size() == 1 &&
                         column.name == wanted_.quantities.front().column.name;
-  std::vector<std::string> left;
-  for (const std::string& name : file_.names) {
-    if (quantity && !means_another(name)) left.push_back(name);
-  }
+  std::vector<std::string> left = quantity ? file_.names : std::vector<std::string>{};
+  std::erase_if(left, [&](const std::string& name) { return means_another(name); });
   return left.size() == 1 ? std::optional(left.front()) : std::nullopt;
 }
 
 bool FileColumns::means_another(const std::string& name) const {
   if (is_wanted(name) || understood_.gauges.contains(name)) return true;
-  for (const char* known : {"t", "x", "y", "z", "eta", "h", "u", "v", "p"}) {
+  return std::ranges::any_of(std::array{"t", "x", "y", "z", "eta", "h", "u", "v", "p"}, [&](const char* known) {
     const std::vector<std::string>& others = other_names(known);
-    if (name == known || std::find(others.begin(), others.end(), plain_name(name)) != others.end()) return true;
-  }
-  return false;
+    return name == known || std::ranges::find(others, plain_name(name)) != others.end();
+  });
 }
 
 const std::vector<double>& FileColumns::values(const Column& column, const std::string& in_file) const {
@@ -84,8 +81,8 @@ const std::vector<double>& FileColumns::values(const Column& column, const std::
     kept->second = file_.column(name);
   } catch (const std::invalid_argument& missing) {
     if (!wanted_.group || find(*wanted_.group)) throw;
-    throw std::invalid_argument(fmt::format("{}; say which hold a {}: --gauges NAME={:g},...", missing.what(),
-                                            wanted_.group->name, wanted_.groups->front()));
+    validation::fail("{}; say which hold a {}: --gauges NAME={:g},...", missing.what(), wanted_.group->name,
+                     wanted_.groups->front());
   }
   std::vector<double>& result = kept->second;
   if (in_file.empty() && renamed == understood_.renamed.end() && name != column.name) {

@@ -35,8 +35,7 @@ const JudgedClaim* deciding(const evidence::Record& record) {
 std::string verdict_line(const evidence::Record& record) {
   const std::vector<JudgedClaim>& claims = record.claims();
   const auto count = [&](Verdict verdict) {
-    return std::count_if(claims.begin(), claims.end(),
-                         [&](const JudgedClaim& claim) { return claim.judgement.verdict == verdict; });
+    return std::ranges::count(claims, verdict, [](const JudgedClaim& claim) { return claim.judgement.verdict; });
   };
   std::vector<std::string> parts{fmt::format("{} of {} claims are met", count(Verdict::pass), claims.size())};
   for (const auto& [verdict, words] :
@@ -74,10 +73,9 @@ struct WorstCurve {
 WorstCurve worst_curve(const std::vector<WantedTable>& wanted, const Submitted& submitted) {
   WorstCurve worst;
   for (const WantedTable& table : wanted) {
-    const auto found = submitted.find(table.name);
-    if (found == submitted.end() || table.kind == WantedTable::Kind::scalars) continue;
+    if (table.kind == WantedTable::Kind::scalars) continue;
     for (const WantedQuantity& quantity : table.quantities) {
-      for (const SubmittedGroup& group : found->second) {
+      for (const SubmittedGroup& group : groups_in(submitted, table)) {
         const std::vector<double> x = table.points(group.value);
         const std::vector<double> r = reference_at(quantity, group, x);
         const Curve curve{group.abscissa, group.values.at(quantity.column.name)};
@@ -92,13 +90,9 @@ WorstCurve worst_curve(const std::vector<WantedTable>& wanted, const Submitted& 
 std::string where_line(const WorstCurve& worst) {
   const Column& axis = *worst.table->abscissa;
   const Column& column = worst.quantity->column;
-  std::string place = column.name;
-  if (worst.table->group) {
-    place += fmt::format(", {} = {:g}{}", worst.table->group->name, worst.group->value,
-                         after_number(worst.table->group->unit));
-  }
   return fmt::format(
-      "{}: largest at {} = {:.4g}{}, {:+.3g}{}; {:.0f} % of the squared error within a tenth of the range there", place,
+      "{}{}: largest at {} = {:.4g}{}, {:+.3g}{}; {:.0f} % of the squared error within a tenth of the range there",
+      column.name, worst.table->group ? ", " + group_in_words(*worst.table, worst.group->value) : std::string(),
       axis.name, worst.kind.where, after_number(axis.unit), worst.kind.largest, after_number(column.unit),
       100 * worst.kind.near);
 }
@@ -106,8 +100,8 @@ std::string where_line(const WorstCurve& worst) {
 /// A ladder's quantity whose error is more than its numerical error.
 const LadderQuantity* not_numerical(const std::optional<Ladder>& ladder) {
   if (!ladder) return nullptr;
-  const auto found = std::find_if(ladder->quantities.begin(), ladder->quantities.end(),
-                                  [](const LadderQuantity& q) { return q.error.back() > q.numerical; });
+  const auto found =
+      std::ranges::find_if(ladder->quantities, [](const auto& q) { return q.error.back() > q.numerical; });
   return found == ladder->quantities.end() ? nullptr : &*found;
 }
 
@@ -151,9 +145,8 @@ std::string whose_line(const JudgedClaim& claim, bool all, bool exact, const std
 std::string coarse_line(const std::vector<WantedTable>& wanted, const Submitted& submitted) {
   constexpr double enough = 0.75;  // between all measured points and every other one
   for (const WantedTable& table : wanted) {
-    const auto found = submitted.find(table.name);
-    if (found == submitted.end() || !table.abscissa || table.reference_role != evidence::Role::data) continue;
-    for (const SubmittedGroup& group : found->second) {
+    if (!table.abscissa || table.reference_role != evidence::Role::data) continue;
+    for (const SubmittedGroup& group : groups_in(submitted, table)) {
       const std::vector<double> x = table.points(group.value);
       const auto within = [&](double at) { return at >= x.front() && at <= x.back(); };
       const long given = std::ranges::count_if(group.abscissa, within);
@@ -174,9 +167,8 @@ std::string next_line(const evidence::Record& record, const JudgedClaim& claim, 
   }
   for (const JudgedClaim& one : record.claims()) {
     const bool of_part = one.claim.id.ends_with("-coverage") || one.claim.id.ends_with("-given");
-    if (of_part && one.judgement.verdict == Verdict::fail) {
+    if (of_part && one.judgement.verdict == Verdict::fail)
       return fmt::format("submit the rest: {} ({})", one.claim.id, one.judgement.resolution);
-    }
   }
   if (!findings.empty()) return fmt::format("check the file: {} {}", findings.front().where, findings.front().words);
   if (j.verdict != Verdict::pass && !coarse.empty()) return coarse;
@@ -266,9 +258,8 @@ FirstLook first_look(const std::vector<WantedTable>& wanted, const Submitted& su
     look.emplace_back("type of error", worst.kind.words());
   }
   if (claim != nullptr) {
-    const bool exact = std::all_of(wanted.begin(), wanted.end(), [](const WantedTable& table) {
-      return table.reference_role == evidence::Role::exact;
-    });
+    const bool exact = std::ranges::all_of(
+        wanted, [](const WantedTable& table) { return table.reference_role == evidence::Role::exact; });
     const bool all = all_right(record, findings, ladder);
     look.emplace_back("likely cause", whose_line(*claim, all, exact, ladder));
     look.emplace_back("next step",

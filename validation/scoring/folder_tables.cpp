@@ -1,28 +1,20 @@
 #include "validation/scoring/folder_tables.hpp"
 
 #include <algorithm>
-#include <stdexcept>
+#include <array>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "validation/case/refusal.hpp"
+
 namespace seiche::validation {
 namespace {
 
-/// The columns that say where and when.
-std::vector<std::string> coordinates_of(const io::Table& table) {
-  std::vector<std::string> names;
-  for (const char* name : {"x", "y", "z", "t"}) {
-    if (table.has(name)) names.emplace_back(name);
-  }
-  return names;
-}
-
 bool same_places(const io::Table& one, const io::Table& other) {
-  const std::vector<std::string> names = coordinates_of(one);
-  return names == coordinates_of(other) && std::all_of(names.begin(), names.end(), [&](const std::string& name) {
-           return one.column(name) == other.column(name);
-         });
+  return std::ranges::all_of(std::array{"x", "y", "z", "t"}, [&](const char* name) {
+    return one.has(name) == other.has(name) && (!one.has(name) || one.column(name) == other.column(name));
+  });
 }
 
 /// The columns of another table at the same places, beside those of this one.
@@ -41,7 +33,7 @@ void put_beside(io::Table& table, const io::Table& more) {
 std::vector<io::Table> merged(const std::vector<io::Table>& parts) {
   std::vector<io::Table> tables;
   for (const io::Table& part : parts) {
-    const auto same = std::find_if(tables.begin(), tables.end(), [&](const auto& t) { return same_places(t, part); });
+    const auto same = std::ranges::find_if(tables, [&](const auto& t) { return same_places(t, part); });
     if (same == tables.end()) {
       tables.push_back(part);
     } else {
@@ -53,13 +45,29 @@ std::vector<io::Table> merged(const std::vector<io::Table>& parts) {
 
 void put_below(io::Table& table, const io::Table& more) {
   if (table.names != more.names) {
-    throw std::invalid_argument(fmt::format("{}: columns {}, but {} has {}", more.source, fmt::join(more.names, ", "),
-                                            table.source, fmt::join(table.names, ", ")));
+    fail("{}: columns {}, but {} has {}", more.source, fmt::join(more.names, ", "), table.source,
+         fmt::join(table.names, ", "));
   }
   for (std::size_t k = 0; k < table.columns.size(); ++k) {
     table.columns[k].insert(table.columns[k].end(), more.columns[k].begin(), more.columns[k].end());
   }
   table.lines.insert(table.lines.end(), more.lines.begin(), more.lines.end());
+}
+
+void add_constant(io::Table& table, const std::string& name, const std::string& unit, double value) {
+  table.names.push_back(name);
+  table.units.push_back(unit);
+  table.columns.emplace_back(table.rows(), value);
+}
+
+std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder,
+                                            const std::function<bool(const std::filesystem::path&)>& is_of_kind) {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.is_regular_file() && is_of_kind(entry.path())) files.push_back(entry.path());
+  }
+  std::ranges::sort(files);
+  return files;
 }
 
 }  // namespace seiche::validation

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "validation/scoring/folder_tables.hpp"
+
 namespace seiche::validation {
 namespace {
 
@@ -55,11 +57,8 @@ io::Table read_geoclaw(const io::Text& text) {
   const std::vector<std::string> columns = geoclaw_columns(text, count);
   if (columns.size() != count) text.fail(first, fmt::format("{} entries, must be {}", count, columns.size()));
   io::Table table = io::read_text_table(text, columns);
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    table.names.emplace_back(1, "xy"[axis]);
-    table.units.emplace_back("m");
-    table.columns.emplace_back(table.rows(), place[axis]);
-  }
+  add_constant(table, "x", "m", place[0]);
+  add_constant(table, "y", "m", place[1]);
   return table;
 }
 
@@ -69,11 +68,8 @@ io::Table read_reef3d(const io::Text& text) {
   bool series = false;
   for (std::size_t line = 1; line < text.lines.size(); ++line) {
     const std::vector<std::string> words = io::words_of(text.lines[line]);
-    if (words.empty() || words.front() == "x_coord") continue;
-    if (words.front() == "time") {
-      series = true;
-      continue;
-    }
+    series = series || (!words.empty() && words.front() == "time");
+    if (words.empty() || words.front() == "x_coord" || words.front() == "time") continue;
     const std::vector<double> numbers = io::values_of(text, line, words);
     if (!series) {
       if (numbers.size() != 3) text.fail(line, "must be the number, x and y of a gauge");
@@ -94,9 +90,7 @@ io::Table read_measuretool(const io::Text& text) {
   const char separator = text.lines.front().find(';') != std::string::npos ? ';' : ',';
   if (text.lines.size() < 5) text.fail(text.lines.size() - 1, "ends before the first row of numbers");
   std::vector<std::vector<double>> places;  // by axis
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    places.push_back(values_after(text, axis, separator, 2));
-  }
+  for (std::size_t axis = 0; axis < 3; ++axis) places.push_back(values_after(text, axis, separator, 2));
   const std::vector<std::string> header = io::entries_of(text.lines[3], separator);
   if (places[0].empty()) text.fail(0, "no positions: MeasureTool writes them behind ' ;PosX [m]:'");
   if (header.size() != places[0].size() + 2 || places[1].size() != places[0].size() ||

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "seiche/io/text_table.hpp"
+#include "validation/case/refusal.hpp"
 
 namespace seiche::validation {
 namespace {
@@ -20,7 +20,7 @@ struct Patch {
   double level = 0;
   std::vector<std::size_t> cells;  ///< along x, and y
   std::vector<double> low, size;   ///< corner and edges of a cell
-  std::size_t first = 0;           ///< line of its first cell
+  std::vector<std::size_t> lines;  ///< of its cells, along x first
 
   [[nodiscard]] bool plan() const { return cells.size() == 2; }
   [[nodiscard]] double at(std::size_t axis, std::size_t cell) const {
@@ -39,11 +39,15 @@ struct Patch {
 double time_of(const fs::path& grid) {
   const std::string number = grid.filename().string().substr(opening.size());
   const io::Text text = io::text_of(grid.parent_path() / ("fort.t" + number));
-  if (text.lines.empty()) throw std::invalid_argument(fmt::format("{}: is empty, must say the time", text.file));
+  if (text.lines.empty()) fail("{}: is empty, must say the time", text.file);
   const std::vector<std::string> words = io::words_of(text.lines.front());
   const std::optional<double> time = io::number_in(words.empty() ? "" : words.front());
   if (!time) text.fail(0, "must begin with the time");
   return *time;
+}
+
+void skip_blank(const io::Text& text, std::size_t& line) {
+  while (line < text.lines.size() && io::words_of(text.lines[line]).empty()) ++line;
 }
 
 /// Reads "number   what" lines up to the blank one; `line` is then the first of the cells.
@@ -63,39 +67,33 @@ Patch header_at(const io::Text& text, std::size_t& line) {
     if (what == "xlow" || what == "ylow") patch.low.push_back(value);
     if (what == "dx" || what == "dy") patch.size.push_back(value);
   }
-  while (line < text.lines.size() && io::words_of(text.lines[line]).empty()) ++line;
+  skip_blank(text, line);
   const std::size_t dimensions = patch.cells.size();
   if (dimensions == 0 || dimensions > 2 || patch.low.size() != dimensions || patch.size.size() != dimensions) {
     text.fail(std::min(line, text.lines.size() - 1),
               "a header must have mx, xlow, dx, and in two dimensions my, ylow, dy");
   }
-  patch.first = line;
   return patch;
 }
 
-std::size_t skip_cells(const io::Text& text, const Patch& patch) {
-  std::size_t left = std::accumulate(patch.cells.begin(), patch.cells.end(), std::size_t{1}, std::multiplies<>());
-  std::size_t line = patch.first;
-  for (; left > 0 && line < text.lines.size(); ++line) {
-    if (!io::words_of(text.lines[line]).empty()) --left;
-  }
+/// `line` is then the first behind them that is not blank.
+void take_cells(const io::Text& text, std::size_t& line, Patch& patch) {
+  const std::size_t count =
+      std::accumulate(patch.cells.begin(), patch.cells.end(), std::size_t{1}, std::multiplies<>());
+  for (; patch.lines.size() < count && line < text.lines.size(); skip_blank(text, ++line)) patch.lines.push_back(line);
+  const std::size_t left = count - patch.lines.size();
   if (left > 0) text.fail(text.lines.size() - 1, fmt::format("ends {} cells before the patch does", left));
-  while (line < text.lines.size() && io::words_of(text.lines[line]).empty()) ++line;
-  return line;
 }
 
 std::vector<std::string> names_for(const io::Text& text, const Patch& patch, std::size_t values) {
-  std::vector<std::string> names{"x"};
-  if (patch.plan()) names.emplace_back("y");
-  names.emplace_back("t");
-  std::vector<std::string> quantities{"h", "hu", "hv", "eta"};
-  if (!patch.plan()) quantities = {"h", "hu", "eta"};
-  if (values + 1 == quantities.size()) quantities.pop_back();  // without eta: Clawpack's shallow water
-  if (values != quantities.size()) {
-    text.fail(patch.first,
-              fmt::format("{} values in a cell, must be h, hu{}, eta", values, patch.plan() ? ", hv" : ""));
-  }
-  names.insert(names.end(), quantities.begin(), quantities.end());
+  const bool plan = patch.plan();
+  std::vector<std::string> names{"x", "t", "h", "hu", "eta"};
+  if (plan) names = {"x", "y", "t", "h", "hu", "hv", "eta"};
+  const std::size_t places = plan ? 3 : 2;
+  if (places + values + 1 == names.size()) names.pop_back();  // without eta: Clawpack's shallow water
+  if (places + values != names.size())
+    text.fail(patch.lines.front(),
+              fmt::format("{} values in a cell, must be h, hu{}, eta", values, plan ? ", hv" : ""));
   return names;
 }
 
@@ -114,65 +112,50 @@ io::Table read_geoclaw_grid(const fs::path& file) {
   for (std::size_t line = 0; line < text.lines.size();) {
     patches.push_back(header_at(text, line));
     if (patches.back().plan() != patches.front().plan()) {
-      text.fail(patches.back().first - 1, "a patch of one dimension beside one of two, must all be alike");
+      text.fail(line - 1, "a patch of one dimension beside one of two, must all be alike");
     }
-    line = skip_cells(text, patches.back());
+    take_cells(text, line, patches.back());
   }
-  if (patches.empty()) throw std::invalid_argument(fmt::format("{}: no patches", text.file));
-  const std::size_t values = io::words_of(text.lines[patches.front().first]).size();
+  if (patches.empty()) fail("{}: no patches", text.file);
+  const std::size_t values = io::words_of(text.lines[patches.front().lines.front()]).size();
   io::Rows rows(text, names_for(text, patches.front(), values));
-  struct Cell {
-    std::vector<double> row;
-    std::size_t line;
-  };
-  std::vector<Cell> cells;
+  std::vector<std::pair<std::vector<double>, std::size_t>> cells;  // row and line
   for (const Patch& patch : patches) {
-    std::size_t line = patch.first;
-    for (std::size_t j = 0; j < (patch.plan() ? patch.cells[1] : 1); ++j) {
-      for (std::size_t i = 0; i < patch.cells[0]; ++i, ++line) {
-        while (io::words_of(text.lines[line]).empty()) ++line;
-        std::vector<double> row{patch.at(0, i)};
-        if (patch.plan()) row.push_back(patch.at(1, j));
-        const bool finer = std::any_of(patches.begin(), patches.end(), [&](const Patch& other) {
-          return other.level > patch.level && other.covers(row);
-        });
-        if (finer) continue;
-        row.push_back(time);
-        const std::vector<double> numbers = io::values_of(text, line, io::words_of(text.lines[line]));
-        if (numbers.size() != values) text.fail(line, fmt::format("{} entries, must be {}", numbers.size(), values));
-        row.insert(row.end(), numbers.begin(), numbers.end());
-        cells.push_back({row, line});
-      }
+    for (std::size_t k = 0; k < patch.lines.size(); ++k) {
+      std::vector<double> row{patch.at(0, k % patch.cells[0])};
+      if (patch.plan()) row.push_back(patch.at(1, k / patch.cells[0]));
+      const auto hides = [&](const Patch& other) { return other.level > patch.level && other.covers(row); };
+      if (std::ranges::any_of(patches, hides)) continue;
+      row.push_back(time);
+      const std::size_t line = patch.lines[k];
+      const std::vector<double> numbers = io::values_of(text, line, io::words_of(text.lines[line]));
+      if (numbers.size() != values) text.fail(line, fmt::format("{} entries, must be {}", numbers.size(), values));
+      row.insert(row.end(), numbers.begin(), numbers.end());
+      cells.emplace_back(row, line);
     }
   }
   // Along x whatever patch they are of; in two dimensions row by row.
   const bool plan = patches.front().plan();
-  std::stable_sort(cells.begin(), cells.end(), [&](const Cell& a, const Cell& b) {
-    return plan ? std::pair(a.row[1], a.row[0]) < std::pair(b.row[1], b.row[0]) : a.row[0] < b.row[0];
-  });
-  for (const Cell& cell : cells) rows.add(cell.line, cell.row);
+  std::ranges::stable_sort(cells, {},
+                           [&](const auto& cell) { return std::pair(plan ? cell.first[1] : 0, cell.first[0]); });
+  for (const auto& [row, line] : cells) rows.add(line, row);
   return rows.table();
 }
 
 bool is_geoclaw_output(const fs::path& folder) {
-  return std::any_of(fs::directory_iterator(folder), fs::directory_iterator(),
-                     [](const auto& entry) { return is_geoclaw_grid(entry.path()); });
+  return !files_in(folder, is_geoclaw_grid).empty();
 }
 
 FolderTables read_geoclaw_output(const fs::path& folder) {
-  FolderTables read{.format = "geoclaw"};
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    if (is_geoclaw_grid(entry.path())) read.files.push_back(entry.path());
-  }
-  std::sort(read.files.begin(), read.files.end());
+  FolderTables read{.format = "geoclaw", .files = files_in(folder, is_geoclaw_grid)};
   for (const fs::path& file : read.files) {
-    io::Table now = read_geoclaw_grid(file);
-    if (read.tables.empty()) {
-      now.source = folder.string();
-      read.tables.push_back(std::move(now));
-    } else {
+    const io::Table now = read_geoclaw_grid(file);
+    if (!read.tables.empty()) {
       put_below(read.tables.front(), now);
+      continue;
     }
+    read.tables.push_back(now);
+    read.tables.front().source = folder.string();
   }
   return read;
 }

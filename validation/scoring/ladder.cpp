@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <ranges>
 #include <set>
-#include <stdexcept>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -13,7 +14,9 @@
 #include "reports/evidence/slope_guide.hpp"
 #include "seiche/samples.hpp"
 #include "validation/case/claims.hpp"
+#include "validation/case/refusal.hpp"
 #include "validation/instruments/agreement.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/scoring/submitted.hpp"
 #include "validation/scoring/units.hpp"
 
@@ -30,23 +33,15 @@ struct Point {
 };
 
 void require(const std::vector<Rung>& rungs) {
-  std::set<double> sizes;
-  std::vector<double> given;
-  bool positive = true;
+  const std::vector<double> given = each(rungs, &Rung::size);
+  const std::set<double> sizes(given.begin(), given.end());
+  const bool positive = std::ranges::all_of(given, [](double size) { return std::isfinite(size) && size > 0; });
+  if (!positive || sizes.size() != rungs.size() || sizes.size() < fewest_sizes)
+    fail("sizes {}: must be three or more, all different and positive", fmt::join(given, ","));
+  const auto tables = std::views::keys(rungs.front().submitted);
   for (const Rung& rung : rungs) {
-    sizes.insert(rung.size);
-    given.push_back(rung.size);
-    positive = positive && std::isfinite(rung.size) && rung.size > 0;
-  }
-  if (!positive || sizes.size() != rungs.size() || sizes.size() < fewest_sizes) {
-    throw std::invalid_argument(
-        fmt::format("sizes {}: must be three or more, all different and positive", fmt::join(given, ",")));
-  }
-  for (const Rung& rung : rungs) {
-    const bool same =
-        std::equal(rung.submitted.begin(), rung.submitted.end(), rungs.front().submitted.begin(),
-                   rungs.front().submitted.end(), [](const auto& a, const auto& b) { return a.first == b.first; });
-    if (!same) throw std::invalid_argument(fmt::format("size {:g}: other tables than the coarsest", rung.size));
+    if (!std::ranges::equal(std::views::keys(rung.submitted), tables))
+      fail("size {:g}: other tables than the coarsest", rung.size);
   }
 }
 
@@ -57,7 +52,7 @@ std::vector<Point> points_of(const WantedTable& table, const WantedQuantity& qua
   for (std::size_t g = 0; g < groups; ++g) {
     const double group = rungs.front().submitted.at(table.name)[g].value;
     const bool single = table.kind == WantedTable::Kind::scalars;
-    for (const double at : single ? std::vector<double>{0} : table.points(group)) {
+    for (const double at : points_of(table, group)) {
       Point point{.reference = quantity.reference({group, at}), .values = {}};
       bool known = !std::isnan(point.reference);
       for (const Rung& rung : rungs) {
@@ -94,11 +89,10 @@ LadderQuantity quantity_of(const WantedTable& table, const WantedQuantity& quant
     }
   }
   q.relative = scale > 0;
-  const double divisor = q.relative ? std::sqrt(scale) : std::sqrt(count);
-  for (std::size_t k = 0; k < sizes.size(); ++k) {
-    q.error.push_back(std::sqrt(errors[k]) / divisor);
-    q.away.push_back(std::sqrt(distances[k]) / divisor);
-  }
+  const double divisor = std::sqrt(q.relative ? scale : count);
+  const auto norm = [&](double squares) { return std::sqrt(squares) / divisor; };
+  q.error = each(errors, norm);
+  q.away = each(distances, norm);
   q.numerical = std::sqrt(half_widths) / divisor;
   q.typical = std::sqrt(half_widths / count);
   q.tends = evidence::grid_convergence(sizes, q.error, usual_order);
@@ -122,13 +116,11 @@ void tabulate_results(const Ladder& ladder, evidence::Exhibit& exhibit) {
       "own limit. Errors are relative to the reference.",
       {"quantity", "order", "from", "to", "error of the finest [1]", "numerical, 95 % [1]", "error tends to [1]",
        "size for 1 %", "at least", "at most", "time for 1 % [s]"});
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
   for (const LadderQuantity& q : ladder.quantities) {
-    const std::optional<Reach> reach = ladder.reach(q, ladder_target);
+    const Reach reach = ladder.reach(q, ladder_target).value_or(Reach{nan, nan, nan, {}});
     table.rows.push_back({q.name, q.order.order, q.order.order - q.order.half_width, q.order.order + q.order.half_width,
-                          q.error.back(), q.numerical, q.tends.extrapolated, reach ? reach->size : none,
-                          reach ? reach->least : none, reach ? reach->most : none,
-                          reach && reach->seconds ? *reach->seconds : none});
+                          q.error.back(), q.numerical, q.tends.extrapolated, reach.size, reach.least, reach.most,
+                          reach.seconds.value_or(nan)});
   }
 }
 
@@ -187,16 +179,13 @@ std::string Ladder::line(const LadderQuantity& q) const {
 
 Ladder ladder_of(const std::vector<WantedTable>& wanted, std::vector<Rung> rungs) {
   require(rungs);
-  std::sort(rungs.begin(), rungs.end(), [](const Rung& a, const Rung& b) { return a.size > b.size; });
-  Ladder ladder;
+  std::ranges::sort(rungs, std::greater{}, &Rung::size);
+  Ladder ladder{.size = each(rungs, &Rung::size)};
   for (const Rung& rung : rungs) {
-    ladder.size.push_back(rung.size);
     if (rung.seconds) ladder.seconds.push_back(*rung.seconds);
   }
-  if (!ladder.seconds.empty() && ladder.seconds.size() != ladder.size.size()) {
-    throw std::invalid_argument(
-        fmt::format("{} times for {} sizes: must be as many, or none", ladder.seconds.size(), ladder.size.size()));
-  }
+  if (!ladder.seconds.empty() && ladder.seconds.size() != ladder.size.size())
+    fail("{} times for {} sizes: must be as many, or none", ladder.seconds.size(), ladder.size.size());
   for (const WantedTable& table : wanted) {
     if (!rungs.front().submitted.contains(table.name)) continue;
     for (const WantedQuantity& quantity : table.quantities) {
@@ -235,8 +224,7 @@ void show_ladder(const Ladder& ladder, evidence::Exhibit& exhibit) {
 
 void add_numerical(const Ladder& ladder, std::map<std::string, StatedUncertainty>& uncertainty) {
   for (const LadderQuantity& q : ladder.quantities) {
-    if (q.exact || uncertainty.contains(q.name)) continue;
-    uncertainty[q.name] = {.value = q.typical / 2};
+    if (!q.exact) uncertainty.try_emplace(q.name, StatedUncertainty{.value = q.typical / 2});
   }
 }
 

@@ -4,11 +4,12 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <limits>
+#include <initializer_list>
 
 #include <fmt/format.h>
 
 #include "seiche/samples.hpp"
+#include "validation/case/parameter.hpp"
 #include "validation/scoring/units.hpp"
 
 namespace seiche::validation {
@@ -16,14 +17,14 @@ namespace {
 
 using Kind = Misreading::Kind;
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double material = 0.01;     ///< of the reference's range
 constexpr double still_there = 0.75;  ///< of the points, after a change
 constexpr std::size_t fewest = 10;
 constexpr double fitted_handicap = 1.25;
 
-constexpr std::array factors{1000.0, 100.0, 10.0, 3.28084, 9.81};
-constexpr std::array clocks{1000.0, 100.0, 60.0};
+constexpr std::array factors{1000.0,   1 / 1000.0, 100.0,       1 / 100.0, 10.0,
+                             1 / 10.0, 3.28084,    1 / 3.28084, 9.81,      1 / 9.81};
+constexpr std::array clocks{1000.0, 1 / 1000.0, 100.0, 1 / 100.0, 60.0, 1 / 60.0};
 
 /// What stands at the reference's abscissa x, after a change.
 using Changed = std::function<double(double x)>;
@@ -41,18 +42,22 @@ struct Compared {
       sum += std::pow(value - r[i], 2);
       ++known;
     }
-    return known < needed || known == 0 ? unknown : std::sqrt(sum / static_cast<double>(known));
+    return known < needed || known == 0 ? nan : std::sqrt(sum / static_cast<double>(known));
   }
 };
 
-Compared known_points(Curve submitted, Curve reference) {
+/// Where the reference is known, all of it or what the submitted curve covers.
+Compared known_points(Curve reference, const std::function<bool(double x)>& covered) {
   Compared points;
   for (std::size_t i = 0; i < reference.x.size(); ++i) {
-    if (std::isnan(reference.y[i]) || std::isnan(linear_at(submitted, reference.x[i]))) continue;
+    if (std::isnan(reference.y[i]) || !covered(reference.x[i])) continue;
     points.x.push_back(reference.x[i]);
     points.r.push_back(reference.y[i]);
   }
   return points;
+}
+Compared covered_points(Curve submitted, Curve reference) {
+  return known_points(reference, [&](double x) { return !std::isnan(linear_at(submitted, x)); });
 }
 
 /// Mean of a piecewise linear curve over a stretch about x, cut at its ends.
@@ -88,26 +93,17 @@ double best_near_zero(double reach, const std::function<double(double)>& left) {
   constexpr int grid = 250;
   double best = 0;
   double least = left(0);
-  for (int k = 1; k <= grid; ++k) {
-    for (const double candidate : {reach * k / grid, -reach * k / grid}) {
+  const auto look_at = [&](std::initializer_list<double> candidates, double better) {
+    for (const double candidate : candidates) {
       const double here = left(candidate);
-      if (here < 0.98 * least) {
-        best = candidate;
-        least = here;
-      }
+      if (std::abs(candidate) > reach || !(here < better * least)) continue;
+      best = candidate;
+      least = here;
     }
-  }
+  };
+  for (int k = 1; k <= grid; ++k) look_at({reach * k / grid, -reach * k / grid}, 0.98);
   double step = reach / grid;
-  for (int halving = 0; halving < 30; ++halving) {
-    for (const double candidate : {best - step, best + step}) {
-      const double here = left(candidate);
-      if (std::abs(candidate) <= reach && here < least) {
-        best = candidate;
-        least = here;
-      }
-    }
-    step /= 2;
-  }
+  for (int halving = 0; halving < 30; ++halving, step /= 2) look_at({best - step, best + step}, 1);
   return best;
 }
 
@@ -121,24 +117,20 @@ class Search {
 
   [[nodiscard]] double left(const Changed& changed) const { return points_.rms(changed, needed_) / before_; }
 
-  void given(Kind kind, double amount, const Changed& changed) { keep({kind, amount, left(changed)}, 1); }
-  /// @param changed  of the number that is fitted
-  void fitted(Kind kind, double amount, const Changed& changed) {
-    keep({kind, amount, left(changed)}, fitted_handicap);
+  /// @param changed  of the number, whether it is given or fitted
+  void given(Kind kind, double amount, const Changed& changed, double handicap = 1) {
+    const Misreading candidate{kind, amount, left(changed)};
+    if (!(candidate.left < explained_below)) return;  // NaN is no explanation
+    if (best_ && handicap * candidate.left >= cost_) return;
+    best_ = candidate;
+    cost_ = handicap * candidate.left;
   }
+  void fitted(Kind kind, double amount, const Changed& changed) { given(kind, amount, changed, fitted_handicap); }
 
   [[nodiscard]] const Compared& points() const { return points_; }
   [[nodiscard]] std::optional<Misreading> best() const { return best_; }
 
  private:
-  void keep(Misreading candidate, double handicap) {
-    if (!(candidate.left < explained_below)) return;  // NaN is no explanation
-    const double cost = handicap * candidate.left;
-    if (best_ && cost >= cost_) return;
-    best_ = candidate;
-    cost_ = cost;
-  }
-
   Compared points_;
   double before_;
   std::size_t needed_;
@@ -148,10 +140,7 @@ class Search {
 
 void try_given(Search& search, Curve submitted) {
   const double both_ends = search.points().x.front() + search.points().x.back();
-  for (const double factor : factors) {
-    for (const double f : {factor, 1 / factor})
-      search.given(Kind::unit, f, [=](double x) { return linear_at(submitted, x) / f; });
-  }
+  for (const double f : factors) search.given(Kind::unit, f, [=](double x) { return linear_at(submitted, x) / f; });
   search.given(Kind::inverted, 0, [=](double x) { return -linear_at(submitted, x); });
   search.given(Kind::backwards, 0, [=](double x) { return linear_at(submitted, both_ends - x); });
 }
@@ -160,10 +149,7 @@ void try_fitted(Search& search, Curve submitted) {
   const Compared& points = search.points();
   const double first = points.x.front();
   const double range = points.x.back() - first;
-  double difference = 0;
-  double sum = 0;
-  double product = 0;
-  double square = 0;
+  double difference = 0, sum = 0, product = 0, square = 0;
   for (std::size_t i = 0; i < points.x.size(); ++i) {
     const double s = linear_at(submitted, points.x[i]);
     difference += s - points.r[i];
@@ -201,64 +187,51 @@ void try_fitted(Search& search, Curve submitted) {
 
 constexpr double to_five_per_cent = 0.05;
 
+struct KnownUnit {
+  double factor;  ///< by which a number in it is larger
+  std::string_view unit, words;
+};
+
+constexpr std::array known_units{KnownUnit{1000, "m", "millimetres for metres"},
+                                 KnownUnit{100, "m", "centimetres for metres"},
+                                 KnownUnit{3.28084, "m", "feet for metres"},
+                                 KnownUnit{0.001, "m", "kilometres for metres"},
+                                 KnownUnit{100, "m/s", "centimetres per second for metres per second"},
+                                 KnownUnit{0.001, "Pa", "kilopascals for pascals"},
+                                 KnownUnit{0.01, "Pa", "hectopascals for pascals"},
+                                 KnownUnit{1000, "s", "milliseconds for seconds"},
+                                 KnownUnit{1.0 / 60, "s", "minutes for seconds"}};
+
 std::string unit_name(double factor, const std::string& unit) {
-  const auto is = [&](double known) { return std::abs(factor / known - 1) < to_five_per_cent; };
-  if (unit == "m") {
-    if (is(1000)) return "millimetres for metres";
-    if (is(100)) return "centimetres for metres";
-    if (is(3.28084)) return "feet for metres";
-    if (is(0.001)) return "kilometres for metres";
-  }
-  if (unit == "m/s" && is(100)) return "centimetres per second for metres per second";
-  if (unit == "Pa") {
-    if (is(0.001)) return "kilopascals for pascals";
-    if (is(0.01)) return "hectopascals for pascals";
-  }
-  if (unit == "s") {
-    if (is(1000)) return "milliseconds for seconds";
-    if (is(1.0 / 60)) return "minutes for seconds";
-  }
-  return fmt::format("a unit that is {:.6g} times smaller", factor);
+  const auto known = std::ranges::find_if(known_units, [&](const KnownUnit& one) {
+    return one.unit == unit && std::abs(factor / one.factor - 1) < to_five_per_cent;
+  });
+  return known == known_units.end() ? fmt::format("a unit that is {:.6g} times smaller", factor)
+                                    : std::string(known->words);
 }
 
 }  // namespace
 
 double misfit(Curve submitted, Curve reference) {
-  return known_points(submitted, reference).rms([=](double x) { return linear_at(submitted, x); }, 1);
+  return covered_points(submitted, reference).rms([=](double x) { return linear_at(submitted, x); }, 1);
 }
 
 std::string unit_mistaken(double factor, const std::string& unit) {
-  double nearest = 0;
-  double off = to_five_per_cent;
-  for (const double known : factors) {
-    for (const double f : {known, 1 / known}) {
-      if (const double here = std::abs(factor / f - 1); here < off) {
-        off = here;
-        nearest = f;
-      }
-    }
-  }
-  return nearest > 0 ? unit_name(nearest, unit) : "";
+  const auto off = [&](double known) { return std::abs(factor / known - 1); };
+  const double nearest = *std::ranges::min_element(factors, {}, off);
+  return off(nearest) < to_five_per_cent ? unit_name(nearest, unit) : "";
 }
 
 std::optional<Misreading> misreading(Curve submitted, Curve reference) {
   // An abscissa in another unit covers other points: those of the reference as they are.
-  Compared all;
-  for (std::size_t i = 0; i < reference.x.size(); ++i) {
-    if (std::isnan(reference.y[i])) continue;
-    all.x.push_back(reference.x[i]);
-    all.r.push_back(reference.y[i]);
-  }
+  const Compared all = known_points(reference, [](double) { return true; });
   if (all.x.size() < fewest) return std::nullopt;
   const double range = largest(all.r) - smallest(all.r);
   const double before = misfit(submitted, reference);
   if (before <= material * range) return std::nullopt;
   Search clock(all, std::isnan(before) ? range : before);
-  for (const double factor : clocks) {
-    for (const double f : {factor, 1 / factor})
-      clock.given(Kind::abscissa, f, [=](double x) { return linear_at(submitted, f * x); });
-  }
-  const Compared points = known_points(submitted, reference);
+  for (const double f : clocks) clock.given(Kind::abscissa, f, [=](double x) { return linear_at(submitted, f * x); });
+  const Compared points = covered_points(submitted, reference);
   if (points.x.size() < fewest) return clock.best();
   Search search(points, before);
   try_given(search, submitted);

@@ -1,12 +1,15 @@
 #include "validation/scoring/openfoam_files.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
-#include <stdexcept>
+#include <ranges>
+#include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "validation/case/refusal.hpp"
 #include "validation/scoring/gauge_files.hpp"
 
 namespace seiche::validation {
@@ -18,11 +21,9 @@ namespace fs = std::filesystem;
 std::vector<std::string> fields_of(const fs::path& file) {
   std::vector<std::string> fields;
   for (const std::string& word : io::words_of(file.stem().string(), "_")) {
-    if (word == "rgh" && !fields.empty() && fields.back() == "p") {
-      fields.back() = "p_rgh";
-    } else {
-      fields.push_back(word);
-    }
+    const bool joined = word == "rgh" && !fields.empty() && fields.back() == "p";
+    if (joined) fields.pop_back();
+    fields.push_back(joined ? "p_rgh" : word);
   }
   if (!fields.empty()) fields.erase(fields.begin());
   return fields;
@@ -46,8 +47,8 @@ std::vector<std::string> names_by_file(const fs::path& file, std::size_t columns
   const std::vector<std::string> fields = fields_of(file);
   if (fields.empty()) return {};
   const bool vector_along_line = columns == 1 + 3 * fields.size() && is_velocity(fields.front());
-  for (const std::size_t coordinates : {std::size_t{3}, std::size_t{1}}) {
-    for (const std::size_t each : {std::size_t{1}, std::size_t{3}, std::size_t{6}, std::size_t{9}}) {
+  for (const std::size_t coordinates : {3UL, 1UL}) {
+    for (const std::size_t each : {1UL, 3UL, 6UL, 9UL}) {
       if (columns != coordinates + each * fields.size() || (vector_along_line && coordinates == 3)) continue;
       std::vector<std::string> names{"x"};
       if (coordinates == 3) names.insert(names.end(), {"y", "z"});
@@ -59,16 +60,6 @@ std::vector<std::string> names_by_file(const fs::path& file, std::size_t columns
     }
   }
   return {};
-}
-
-/// The files of a folder by name; nothing of what is in folders below.
-std::vector<fs::path> files_in(const fs::path& folder) {
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    if (entry.is_regular_file()) files.push_back(entry.path());
-  }
-  std::sort(files.begin(), files.end());
-  return files;
 }
 
 /// Folders that are called by a number, by that number.
@@ -84,20 +75,17 @@ std::map<double, fs::path> times_in(const fs::path& folder) {
 /// The sets of one time as one table.
 io::Table sets_in(const std::vector<fs::path>& files, const fs::path& folder) {
   std::vector<io::Table> parts;
-  parts.reserve(files.size());
-  for (const fs::path& file : files) parts.push_back(read_openfoam_set(file));
+  std::ranges::transform(files, std::back_inserter(parts), read_openfoam_set);
   const std::vector<io::Table> tables = merged(parts);
-  if (tables.size() > 1) {
-    throw std::invalid_argument(
-        fmt::format("{}: {} sets of different points: name the files of one of them", folder.string(), tables.size()));
-  }
+  if (tables.size() > 1)
+    fail("{}: {} sets of different points: name the files of one of them", folder.string(), tables.size());
   return tables.front();
 }
 
 }  // namespace
 
 io::Table read_openfoam(const io::Text& text) {
-  if (text.lines.empty()) throw std::invalid_argument(fmt::format("{}: no rows of numbers", text.file));
+  if (text.lines.empty()) fail("{}: no rows of numbers", text.file);
   std::vector<std::vector<double>> places;
   const std::string stem = std::filesystem::path(text.file).filename().string();
   const bool heights = text.lines.front().starts_with("# Location");
@@ -120,15 +108,8 @@ io::Table read_openfoam(const io::Text& text) {
     }
     const std::size_t each = values / places.size();
     if (!rows) {
-      names = {"x", "y", "z", "t"};
-      if (each == 1) {
-        names.push_back(stem);
-      } else if (heights && each == 2) {
-        names.insert(names.end(), {"hB", "hL"});
-      } else {
-        for (std::size_t k = 0; k < each; ++k)
-          names.push_back(fmt::format("{}_{}", stem, each == 3 ? std::string(1, "xyz"[k]) : std::to_string(k)));
-      }
+      names = heights && each == 2 ? std::vector<std::string>{"hB", "hL"} : components_of(stem, each);
+      names.insert(names.begin(), {"x", "y", "z", "t"});
       rows.emplace(text, names);
     }
     if (each + 4 != names.size()) text.fail(line, "holds another number of values than the lines before");
@@ -140,7 +121,7 @@ io::Table read_openfoam(const io::Text& text) {
       rows->add(line, row);
     }
   }
-  if (!rows) throw std::invalid_argument(fmt::format("{}: no rows of numbers", text.file));
+  if (!rows) fail("{}: no rows of numbers", text.file);
   return rows->table();
 }
 
@@ -153,17 +134,13 @@ io::Table read_openfoam_set(const fs::path& file) {
   io::Table table = io::read_text_table(text, {}, [&](std::size_t columns) {
     std::vector<std::string> names = names_by_file(file, columns);
     if (names.empty()) {
-      throw std::invalid_argument(
-          fmt::format("{}: {} columns do not fit the name of the file, SET_FIELD_FIELD.xy: say them by --columns",
-                      text.file, columns));
+      fail("{}: {} columns do not fit the name of the file, SET_FIELD_FIELD.xy: say them by --columns", text.file,
+           columns);
     }
     return names;
   });
-  if (const auto time = io::number_in(file.parent_path().filename().string()); time && !table.has("t")) {
-    table.names.emplace_back("t");
-    table.units.emplace_back();
-    table.columns.emplace_back(table.rows(), *time);
-  }
+  const auto time = io::number_in(file.parent_path().filename().string());
+  if (time && !table.has("t")) add_constant(table, "t", "", *time);
   return table;
 }
 
@@ -172,23 +149,19 @@ FolderTables read_openfoam_folder(const fs::path& folder) {
   const fs::path plain = folder.has_filename() ? folder : folder.parent_path();
   std::map<double, fs::path> times = times_in(plain);
   if (const auto own = io::number_in(plain.filename().string()); own && times.empty()) times[*own] = plain;
-  std::vector<std::string> there;
-  for (const auto& entry : fs::directory_iterator(plain)) there.push_back(entry.path().filename().string());
-  std::sort(there.begin(), there.end());
-  if (there.size() > 8) there.resize(8);
   if (times.empty()) {
-    throw std::invalid_argument(fmt::format(
-        "{}: is a folder without times; name the folder of one function, as in postProcessing/probes; it contains {}",
-        plain.string(), fmt::join(there, ", ")));
+    std::set<std::string> there;
+    for (const auto& entry : fs::directory_iterator(plain)) there.insert(entry.path().filename().string());
+    fail("{}: is a folder without times; name the folder of one function, as in postProcessing/probes; it contains {}",
+         plain.string(), fmt::join(there | std::views::take(8), ", "));
   }
   std::map<std::string, io::Table> series;  // by name of the file, over the starts of the run
   std::optional<io::Table> sets;
+  const auto is_any = [](const fs::path&) { return true; };
   for (const auto& [time, at] : times) {
-    const std::vector<fs::path> files = files_in(at);
-    std::vector<fs::path> lines;
-    std::copy_if(files.begin(), files.end(), std::back_inserter(lines), is_openfoam_set);
-    read.files.insert(read.files.end(), lines.empty() ? files.begin() : lines.begin(),
-                      lines.empty() ? files.end() : lines.end());
+    const std::vector<fs::path> lines = files_in(at, is_openfoam_set);
+    const std::vector<fs::path> files = lines.empty() ? files_in(at, is_any) : lines;
+    read.files.insert(read.files.end(), files.begin(), files.end());
     if (!lines.empty()) {
       const io::Table now = sets_in(lines, at);
       if (sets) {
@@ -212,7 +185,7 @@ FolderTables read_openfoam_folder(const fs::path& folder) {
     read.tables.push_back(*sets);
     return read;
   }
-  if (series.empty()) throw std::invalid_argument(fmt::format("{}: its folders of times are empty", plain.string()));
+  if (series.empty()) fail("{}: its folders of times are empty", plain.string());
   for (auto& [name, table] : series) read.tables.push_back(std::move(table));
   return read;
 }

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+#include <ranges>
 
 #include <fmt/format.h>
 
 #include "seiche/samples.hpp"
+#include "validation/case/refusal.hpp"
 #include "validation/instruments/agreement.hpp"
+#include "validation/instruments/each.hpp"
 
 namespace seiche::validation {
 namespace {
@@ -16,30 +18,17 @@ namespace {
 std::vector<double> common_points(const std::vector<const SubmittedGroup*>& groups, const std::string& table) {
   const std::vector<double>& first = groups.front()->abscissa;
   if (first.empty()) return {};
-  Largest least;
-  Smallest most;
-  for (const SubmittedGroup* group : groups) {
-    least.add(group->abscissa.front());
-    most.add(group->abscissa.back());
-  }
-  std::vector<double> points;
-  std::copy_if(first.begin(), first.end(), std::back_inserter(points),
-               [&](double x) { return x >= least.value() && x <= most.value(); });
-  if (points.size() < 2) {
-    throw std::invalid_argument(
-        fmt::format("--repeats: the runs have {} points of table {} in common, needed: 2", points.size(), table));
-  }
+  const double least = over<Largest>(groups, [](const auto* group) { return group->abscissa.front(); }).value();
+  const double most = over<Smallest>(groups, [](const auto* group) { return group->abscissa.back(); }).value();
+  std::vector<double> points = first;
+  std::erase_if(points, [&](double x) { return x < least || x > most; });
+  if (points.size() < 2)
+    fail("--repeats: the runs have {} points of table {} in common, needed: 2", points.size(), table);
   return points;
 }
 
-/// Sums over all points of a quantity.
-struct Spread {
-  double squares = 0;
-  double points = 0;
-};
-
 SubmittedGroup mean_of(const std::vector<const SubmittedGroup*>& groups, const std::string& table,
-                       std::map<std::string, Spread>& spreads) {
+                       std::map<std::string, Mean>& variances) {
   const auto runs = static_cast<double>(groups.size());
   const SubmittedGroup& first = *groups.front();
   SubmittedGroup mean{.value = first.value, .abscissa = common_points(groups, table), .values = {}};
@@ -50,21 +39,13 @@ SubmittedGroup mean_of(const std::vector<const SubmittedGroup*>& groups, const s
         const std::vector<double>& v = group.values.at(quantity);
         return mean.abscissa.empty() ? v.at(i) : linear_at({group.abscissa, v}, mean.abscissa[i]);
       };
-      double sum = 0;
-      for (const SubmittedGroup* group : groups) sum += at(*group);
-      const double middle = sum / runs;
-      double squares = 0;
-      for (const SubmittedGroup* group : groups) squares += std::pow(at(*group) - middle, 2);
+      const double middle = over<Mean>(groups, [&](const auto* group) { return at(*group); }).value();
+      const auto squares = over<Mean>(groups, [&](const auto* group) { return std::pow(at(*group) - middle, 2); });
       mean.values[quantity].push_back(middle);
-      spreads[quantity].squares += squares / (runs - 1);
-      spreads[quantity].points += 1;
+      variances[quantity].add(squares.sum() / (runs - 1));
     }
   }
   return mean;
-}
-
-[[noreturn]] void refuse_different(const std::string& table, const std::string& what) {
-  throw std::invalid_argument(fmt::format("--repeats: the runs differ in the {} of table {}", what, table));
 }
 
 /// The same group of every run.
@@ -72,15 +53,13 @@ std::vector<const SubmittedGroup*> group_of(const std::vector<Submitted>& runs, 
                                             std::size_t number) {
   std::vector<const SubmittedGroup*> groups;
   for (const Submitted& run : runs) {
+    const std::vector<SubmittedGroup>& all = runs.front().at(table);
     const auto found = run.find(table);
-    if (found == run.end() || found->second.size() != runs.front().at(table).size()) refuse_different(table, "groups");
-    const SubmittedGroup& group = found->second[number];
-    const SubmittedGroup& first = runs.front().at(table)[number];
-    if (group.value != first.value) refuse_different(table, "groups");
-    const bool same = std::equal(group.values.begin(), group.values.end(), first.values.begin(), first.values.end(),
-                                 [](const auto& a, const auto& b) { return a.first == b.first; });
-    if (!same) refuse_different(table, "quantities");
-    groups.push_back(&group);
+    if (found == run.end() || found->second.size() != all.size() || found->second[number].value != all[number].value)
+      fail("--repeats: the runs differ in the groups of table {}", table);
+    groups.push_back(&found->second[number]);
+    if (!std::ranges::equal(std::views::keys(groups.back()->values), std::views::keys(all[number].values)))
+      fail("--repeats: the runs differ in the quantities of table {}", table);
   }
   return groups;
 }
@@ -88,20 +67,18 @@ std::vector<const SubmittedGroup*> group_of(const std::vector<Submitted>& runs, 
 }  // namespace
 
 Repeats repeats_of(const std::vector<Submitted>& runs) {
-  if (runs.size() < 2) throw std::invalid_argument(fmt::format("--repeats {}: must be at least 2", runs.size()));
+  if (runs.size() < 2) fail("--repeats {}: must be at least 2", runs.size());
   Repeats repeats{.runs = runs.size()};
-  std::map<std::string, Spread> spreads;
+  std::map<std::string, Mean> variances;
   for (const Submitted& run : runs) {
-    if (run.size() != runs.front().size()) throw std::invalid_argument("--repeats: the runs hold different tables");
+    if (run.size() != runs.front().size()) fail("--repeats: the runs hold different tables");
   }
   for (const auto& [table, groups] : runs.front()) {
     for (std::size_t k = 0; k < groups.size(); ++k) {
-      repeats.mean[table].push_back(mean_of(group_of(runs, table, k), table, spreads));
+      repeats.mean[table].push_back(mean_of(group_of(runs, table, k), table, variances));
     }
   }
-  for (const auto& [quantity, spread] : spreads) {
-    repeats.scatter[quantity] = std::sqrt(spread.squares / spread.points);
-  }
+  for (const auto& [quantity, variance] : variances) repeats.scatter[quantity] = std::sqrt(variance.value());
   return repeats;
 }
 

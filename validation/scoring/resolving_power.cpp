@@ -29,10 +29,11 @@ constexpr int doublings = 10;
 constexpr int bisections = 4;
 constexpr double kept_of_truncated = 0.6;
 
-/// Piecewise linear, its ends held.
+/// Piecewise linear, its ends held; a number is the same everywhere.
 double held_at(const SubmittedGroup& group, const std::string& quantity, double x) {
   const std::vector<double>& at = group.abscissa;
-  return linear_at({at, group.values.at(quantity)}, std::clamp(x, at.front(), at.back()));
+  const std::vector<double>& values = group.values.at(quantity);
+  return at.empty() ? values.front() : linear_at({at, values}, std::clamp(x, at.front(), at.back()));
 }
 
 /// Of the references that are asked for again and again.
@@ -50,10 +51,6 @@ std::vector<WantedTable> remembering(std::vector<WantedTable> tables) {
   return tables;
 }
 
-std::vector<double> groups_of(const WantedTable& table) {
-  return table.group ? *table.groups : std::vector<double>{0};
-}
-
 /// The reference's points with so many more between two neighbours; of two, with every second one alone for -1.
 std::vector<double> denser(const std::vector<double>& points, int between) {
   std::vector<double> all;
@@ -69,22 +66,18 @@ std::vector<double> denser(const std::vector<double>& points, int between) {
 /// The reference as a file; `dry`: with no value where it has no depth.
 io::Table file_of(const WantedTable& table, int between, bool dry = false) {
   io::Table file{.source = table.name, .names = {}, .units = {}, .columns = {}, .lines = {}, .unusable = {}};
-  for (const Column& column : columns_of(table)) {
-    file.names.push_back(column.name);
-    file.units.emplace_back();
-    file.columns.emplace_back();
-  }
+  for (const Column& column : columns_of(table)) file.names.push_back(column.name);
+  file.units.resize(file.names.size());
+  file.columns.resize(file.names.size());
   for (const double group : groups_of(table)) {
-    const std::vector<double> points = table.abscissa ? denser(table.points(group), between) : std::vector<double>{0};
-    for (const double x : points) {
+    for (const double x : denser(points_of(table, group), between)) {
       std::size_t k = 0;
       if (table.group) file.columns[k++].push_back(group);
       if (table.abscissa) file.columns[k++].push_back(x);
       const WantedQuantity& first = table.quantities.front();
       const bool no_water = dry && first.column.name == "h" && first.reference({group, x}) == 0;
       for (const WantedQuantity& quantity : table.quantities) {
-        file.columns[k++].push_back(no_water ? std::numeric_limits<double>::quiet_NaN()
-                                             : quantity.reference({group, x}));
+        file.columns[k++].push_back(no_water ? nan : quantity.reference({group, x}));
       }
     }
   }
@@ -95,7 +88,7 @@ Submitted reference_of(const std::vector<WantedTable>& tables, int between, bool
   Submitted all;
   for (const WantedTable& table : tables) {
     Understanding understood;
-    for (auto& [name, groups] : submitted_from({file_of(table, between, dry)}, {table}, understood)) all[name] = groups;
+    all.merge(submitted_from({file_of(table, between, dry)}, {table}, understood));
   }
   return all;
 }
@@ -105,7 +98,7 @@ double reference_or_none(const WantedQuantity& quantity, Place place) {
   try {
     return quantity.reference(place);
   } catch (const std::logic_error&) {
-    return std::numeric_limits<double>::quiet_NaN();
+    return nan;
   }
 }
 
@@ -117,11 +110,8 @@ bool differ(const Submitted& a, const Submitted& b) {
     for (std::size_t g = 0; g < groups.size(); ++g) {
       if (groups[g].abscissa != others[g].abscissa) return true;
       for (const auto& [name, y] : groups[g].values) {
-        const double hair = 1e-9 * worst(y);
-        const std::vector<double>& z = others[g].values.at(name);
-        for (std::size_t k = 0; k < y.size(); ++k) {
-          if (!(std::abs(y[k] - z[k]) <= hair)) return true;
-        }
+        const auto close = [hair = 1e-9 * worst(y)](double v, double w) { return std::abs(v - w) <= hair; };
+        if (!std::ranges::equal(y, others[g].values.at(name), close)) return true;
       }
     }
   }
@@ -225,12 +215,12 @@ class Battery {
   }
 
   void passes(const std::string& change, const std::function<Submitted()>& submitted) {
-    std::string by = "rejected";
+    Resolved row{.table = {}, .quantity = {}, .change = change, .by = "rejected"};
     try {
-      by = noticed(submitted());
+      row.by = noticed(submitted());
     } catch (const std::invalid_argument&) {  // of the reader
     }
-    rows_.push_back({.table = {}, .quantity = {}, .change = change, .by = by});
+    rows_.push_back(row);
   }
 
   [[nodiscard]] Submitted with(const WantedTable& table, const std::string& quantity, const Change& change) const {
@@ -255,7 +245,7 @@ class Battery {
       size *= 2;
       if (known < size) by = noticed(changed(size));
     }
-    if (by.empty()) return {std::numeric_limits<double>::quiet_NaN(), by};
+    if (by.empty()) return {nan, by};
     for (int k = 0; k < bisections && below > 0; ++k) {
       const double middle = std::sqrt(below * size);
       const std::string here = noticed(changed(middle));
@@ -278,52 +268,42 @@ class Battery {
 
   void sizes_of(const WantedTable& table, const Column& quantity) {
     const std::string& name = quantity.name;
-    const auto row = [&](const std::string& change, const std::string& unit) {
-      return Resolved{.table = table.name, .quantity = name, .change = change, .unit = unit};
-    };
-    const auto of_size = [&](const std::function<double(const SubmittedGroup&, double x, double s)>& change) -> OfSize {
-      return [this, &table, name, change](double s) {
-        return with(table, name, [&](const SubmittedGroup& fine, double x) { return change(fine, x, s); });
+    using Sized = std::function<double(const SubmittedGroup& fine, double x, double s)>;
+    const auto add_sized = [&](const std::string& change, const std::string& unit, double scale, const Sized& sized,
+                               bool both_signs = true) {
+      const auto changed = [&](double s) {
+        return with(table, name, [&](const SubmittedGroup& fine, double x) { return sized(fine, x, s); });
       };
+      add({.table = table.name, .quantity = name, .change = change, .unit = unit}, scale, changed, both_signs);
     };
-    Largest high;
-    Smallest low;
+    const auto value = [&](const SubmittedGroup& g, double x) { return held_at(g, name, x); };
+    std::vector<double> all;
     for (const SubmittedGroup& group : truth_.at(table.name)) {
-      for (const double y : group.values.at(name)) {
-        high.add(y);
-        low.add(y);
-      }
+      const std::vector<double>& y = group.values.at(name);
+      all.insert(all.end(), y.begin(), y.end());
     }
-    if (!table.abscissa) {
-      const auto value = [name](const SubmittedGroup& group) { return group.values.at(name).front(); };
-      add(row("amplitude", "1"), 1,
-          of_size([=](const SubmittedGroup& g, double, double s) { return value(g) * (1 + s); }));
-      // Of a number that should be zero.
-      if (high.value() == 0 && low.value() == 0)
-        add(row("datum", quantity.unit), 1,
-            of_size([=](const SubmittedGroup& g, double, double s) { return value(g) + s; }));
-      return;
-    }
+    const double range = table.abscissa ? seiche::largest(all) - seiche::smallest(all) : 1;
+    using Group = SubmittedGroup;
+    add_sized("amplitude", "1", 1, [&](const Group& g, double x, double s) { return value(g, x) * (1 + s); });
+    // Of a number, one that should be zero.
+    if (table.abscissa || worst(all) == 0)
+      add_sized("datum", quantity.unit, range,
+                [&](const Group& g, double x, double s) { return value(g, x) + s * range; });
+    if (!table.abscissa) return;
     const std::string& along = table.abscissa->unit;
     const auto length = [](const SubmittedGroup& g) { return g.abscissa.back() - g.abscissa.front(); };
-    const double range = high.value() - low.value();
     const double longest = length(fine_.at(table.name).front());
-    add(row("amplitude", "1"), 1,
-        of_size([=](const SubmittedGroup& g, double x, double s) { return held_at(g, name, x) * (1 + s); }));
-    add(row("datum", quantity.unit), range,
-        of_size([=](const SubmittedGroup& g, double x, double s) { return held_at(g, name, x) + s * range; }));
-    add(row("shift", along), longest,
-        of_size([=](const SubmittedGroup& g, double x, double s) { return held_at(g, name, x - s * length(g)); }));
-    add(row("dilation", "1"), 1, of_size([=](const SubmittedGroup& g, double x, double s) {
-          return held_at(g, name, g.abscissa.front() + (1 + s) * (x - g.abscissa.front()));
-        }));
-    add(row("smoothing", along), longest, of_size([=](const SubmittedGroup& g, double x, double s) {
-          constexpr int samples = 32;
-          double sum = 0;
-          for (int k = 0; k < samples; ++k) sum += held_at(g, name, x + s * length(g) * ((k + 0.5) / samples - 0.5));
-          return sum / samples;
-        }),
-        false);
+    add_sized("shift", along, longest, [&](const Group& g, double x, double s) { return value(g, x - s * length(g)); });
+    add_sized("dilation", "1", 1, [&](const Group& g, double x, double s) {
+      return value(g, g.abscissa.front() + (1 + s) * (x - g.abscissa.front()));
+    });
+    const auto smoothed = [&](const Group& g, double x, double s) {
+      constexpr int samples = 32;
+      double sum = 0;
+      for (int k = 0; k < samples; ++k) sum += value(g, x + s * length(g) * ((k + 0.5) / samples - 0.5));
+      return sum / samples;
+    };
+    add_sized("smoothing", along, longest, smoothed, false);
   }
 
   /// Without size. Of several ways to do it, the first that is not noticed counts.
@@ -351,10 +331,8 @@ class Battery {
       std::vector<SubmittedGroup>& both = changed.at(table.name);
       for (const auto& [to, from] : {std::pair{g, g + 1}, std::pair{g + 1, g}}) {
         for (auto& [name, y] : both[to].values) {
-          for (std::size_t k = 0; k < y.size(); ++k) {
-            const SubmittedGroup& other = right[from];
-            y[k] = table.abscissa ? held_at(other, name, both[to].abscissa[k]) : other.values.at(name).front();
-          }
+          for (std::size_t k = 0; k < y.size(); ++k)
+            y[k] = held_at(right[from], name, table.abscissa ? both[to].abscissa[k] : 0);
         }
       }
       exchanged.push_back(changed);
@@ -367,10 +345,10 @@ class Battery {
     add(table, "exchanged", exchanged);
     if (!table.abscissa) return;
     const auto stand = [](SubmittedGroup& group) {
-      for (auto& [name, y] : group.values) std::fill(y.begin(), y.end(), y.front());
+      for (auto& [name, y] : group.values) std::ranges::fill(y, y.front());
     };
     add(table, "reversed", {groups(0, right.size(), [](SubmittedGroup& group) {
-          for (auto& [name, y] : group.values) std::reverse(y.begin(), y.end());
+          for (auto& [name, y] : group.values) std::ranges::reverse(y);
         })});
     add(table, "still", {groups(0, right.size(), stand)});
     add(table, "truncated", {groups(0, right.size(), [](SubmittedGroup& group) {
@@ -391,16 +369,13 @@ class Battery {
     Values heavier = values_;
     heavier.set("gravity", Value(1.1 * right));
     const std::vector<WantedTable> theirs = case_.submission.tables(heavier);
-    for (std::size_t k = 0; k < tables_.size(); ++k) {
-      if (groups_of(theirs[k]) != groups_of(tables_[k]))
-        return;  // of other instants: nothing is known at the template's
-    }
+    // Of other instants: nothing is known at the template's.
+    if (!std::ranges::equal(theirs, tables_, {}, groups_of, groups_of)) return;
     const auto changed = [&](double s) {
       Values other = values_;
       other.set("gravity", Value(right * (1 + s)));
-      const std::vector<WantedTable> tables = case_.submission.tables(other);
       Submitted all = truth_;
-      for (const WantedTable& table : tables) {
+      for (const WantedTable& table : case_.submission.tables(other)) {
         for (SubmittedGroup& group : all.at(table.name)) {
           for (const WantedQuantity& quantity : table.quantities) {
             std::vector<double>& y = group.values.at(quantity.column.name);
@@ -452,10 +427,10 @@ std::string told_by(const std::vector<Resolved>& rows, const std::string& table,
 
 std::map<std::string, std::vector<Resolved>> recorded_power() {
   std::map<std::string, std::vector<Resolved>> cases;
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  const auto number = [](const std::string& word) { return io::number_in(word).value_or(nan); };
   for (const std::vector<std::string>& words : recorded_rows("resolving_power.csv")) {
-    cases[words.at(0)].push_back({words.at(1), words.at(2), words.at(3), io::number_in(words.at(4)).value_or(none),
-                                  io::number_in(words.at(5)).value_or(none), words.at(6), words.at(7)});
+    cases[words.at(0)].push_back(
+        {words.at(1), words.at(2), words.at(3), number(words.at(4)), number(words.at(5)), words.at(6), words.at(7)});
   }
   return cases;
 }

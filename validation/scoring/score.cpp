@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 #include <optional>
-#include <stdexcept>
+#include <ranges>
 #include <vector>
 
 #include <fmt/format.h>
@@ -15,6 +15,7 @@
 
 #include "reports/evidence/record.hpp"
 #include "seiche/samples.hpp"
+#include "validation/case/refusal.hpp"
 #include "validation/case/submission.hpp"
 #include "validation/instruments/agreement.hpp"
 #include "validation/instruments/each.hpp"
@@ -24,7 +25,7 @@
 namespace seiche::validation {
 namespace {
 
-constexpr std::size_t most_panels = 6;
+constexpr std::ptrdiff_t most_panels = 6;
 
 void draw(evidence::Panel& panel, const WantedTable& wanted, const WantedQuantity& quantity,
           const SubmittedGroup& group) {
@@ -35,7 +36,7 @@ void draw(evidence::Panel& panel, const WantedTable& wanted, const WantedQuantit
     const double to = x.back();
     constexpr int samples = 600;
     for (int k = 0; k <= samples; ++k) x.push_back(std::lerp(from, to, static_cast<double>(k) / samples));
-    std::sort(x.begin(), x.end());
+    std::ranges::sort(x);
   }
   std::vector<double> known, y;
   for (const double at : x) {
@@ -55,26 +56,20 @@ void draw(evidence::Panel& panel, const WantedTable& wanted, const WantedQuantit
 /// Draws a submitted profile or series with its reference: a figure with a panel per quantity, or, where there are
 /// several groups, a figure per quantity with a panel for each of the first six groups.
 void draw_submitted(const WantedTable& wanted, const std::vector<SubmittedGroup>& groups, evidence::Exhibit& exhibit) {
-  const auto label = [](const Column& column) {
-    return fmt::format("{} {} [{}]", column.meaning, column.name, column.unit);
-  };
-  const std::string x_label = fmt::format("{} [{}]", wanted.abscissa->name, wanted.abscissa->unit);
-  if (!wanted.group) {
-    auto& figure = exhibit.figure(wanted.name, fmt::format("The submitted {}", wanted.name),
-                                  "The points that were submitted, with the reference.");
-    for (const WantedQuantity& q : wanted.quantities) {
-      draw(figure.panel({.x = x_label, .y = label(q.column)}), wanted, q, groups.front());
-    }
-    return;
-  }
+  evidence::Figure* figure = nullptr;
   for (const WantedQuantity& q : wanted.quantities) {
-    auto& figure = exhibit.figure(wanted.name + "-" + q.column.name,
-                                  fmt::format("The submitted {}: {}", wanted.name, q.column.meaning),
-                                  "The points that were submitted, with the reference.");
-    for (std::size_t k = 0; k < std::min(groups.size(), most_panels); ++k) {
-      const std::string title =
-          fmt::format("{} = {:g}{}", wanted.group->name, groups[k].value, after_number(wanted.group->unit));
-      draw(figure.panel({.x = x_label, .y = label(q.column), .title = title}), wanted, q, groups[k]);
+    const Column& column = q.column;
+    if (figure == nullptr || wanted.group) {
+      figure = &exhibit.figure(
+          wanted.group ? wanted.name + "-" + column.name : wanted.name,
+          fmt::format("The submitted {}{}", wanted.name, wanted.group ? ": " + column.meaning : std::string()),
+          "The points that were submitted, with the reference.");
+    }
+    for (const SubmittedGroup& group : groups | std::views::take(most_panels)) {
+      auto& panel = figure->panel({.x = fmt::format("{} [{}]", wanted.abscissa->name, wanted.abscissa->unit),
+                                   .y = fmt::format("{} {} [{}]", column.meaning, column.name, column.unit),
+                                   .title = wanted.group ? group_in_words(wanted, group.value) : std::string()});
+      draw(panel, wanted, q, group);
     }
   }
 }
@@ -107,7 +102,7 @@ const MeasureText& wording_of(Measure measure) {
 
 /// A measure and its standard uncertainty.
 struct Measured {
-  double value = std::numeric_limits<double>::quiet_NaN();
+  double value = nan;
   std::optional<double> uncertainty = {};  ///< none where the submitter stated none
 };
 using Measures = std::map<Measure, Measured>;
@@ -132,26 +127,19 @@ class QuantityScore {
   QuantityScore(const WantedTable& table, const WantedQuantity& quantity, const SubmittedGroup& group,
                 const std::map<std::string, StatedUncertainty>& uncertainty)
       : table_(table), quantity_(quantity), group_(group), uncertainty_(uncertainty) {
-    if (table.kind == WantedTable::Kind::scalars) {
-      measure_scalar();
-    } else {
-      measure_curve();
-    }
+    is_scalar() ? measure_scalar() : measure_curve();
   }
 
   void measure(evidence::Exhibit& exhibit) const {
     for (const auto& [measure, measured] : measures_) {
       exhibit.measure(quantity_.column.name + "_" + wording_of(measure).id + suffix(), measured.value);
     }
-    if (table_.kind == WantedTable::Kind::scalars) {
-      exhibit.measure(quantity_.column.name + "_reference" + suffix(), quantity_.reference({group_.value, 0}));
-    } else {
-      exhibit.measure(quantity_.column.name + "_coverage" + suffix(), coverage_);
-    }
+    exhibit.measure(quantity_.column.name + (is_scalar() ? "_reference" : "_coverage") + suffix(),
+                    is_scalar() ? reference() : coverage_);
   }
 
   void claim(evidence::Record& record) const {
-    if (table_.kind != WantedTable::Kind::scalars) {
+    if (!is_scalar()) {
       record.check({table_.name + "-coverage",
                     fmt::format("The submitted points cover {:.3g} % of the reference points of the {} or more.",
                                 100 * table_.least_coverage, table_.name),
@@ -165,15 +153,10 @@ class QuantityScore {
   }
 
   [[nodiscard]] std::vector<std::variant<double, std::string>> row() const {
-    std::vector<std::variant<double, std::string>> entries{quantity_.column.name, group_.value};
-    if (table_.kind == WantedTable::Kind::scalars) {
-      entries.emplace_back(value(Measure::value));
-      entries.emplace_back(quantity_.reference({group_.value, 0}));
-      entries.emplace_back(value(Measure::relative_error));
-      return entries;
-    }
-    entries.emplace_back(static_cast<double>(group_.abscissa.size()));
-    entries.emplace_back(coverage_);
+    const std::string& name = quantity_.column.name;
+    if (is_scalar()) return {name, group_.value, value(Measure::value), reference(), value(Measure::relative_error)};
+    const auto points = static_cast<double>(group_.abscissa.size());
+    std::vector<std::variant<double, std::string>> entries{name, group_.value, points, coverage_};
     for (const Measure m : {Measure::relative_l1, Measure::relative_l2, Measure::relative_linf, Measure::skill,
                             Measure::amplitude_ratio, Measure::shift, Measure::peak_error}) {
       entries.emplace_back(value(m));
@@ -182,7 +165,10 @@ class QuantityScore {
   }
 
  private:
+  [[nodiscard]] bool is_scalar() const { return table_.kind == WantedTable::Kind::scalars; }
   [[nodiscard]] double value(Measure measure) const { return measures_.at(measure).value; }
+  /// Of a scalar.
+  [[nodiscard]] double reference() const { return quantity_.reference({group_.value, 0}); }
 
   [[nodiscard]] std::string suffix() const {
     return table_.group && table_.groups->size() > 1 ? fmt::format("_{}_{:g}", table_.group->name, group_.value) : "";
@@ -196,24 +182,18 @@ class QuantityScore {
   }
 
   [[nodiscard]] std::string resolution() const {
-    std::string text = fmt::format("{} point{}", std::max<std::size_t>(group_.abscissa.size(), 1),
-                                   group_.abscissa.size() > 1 ? "s" : "");
-    if (table_.group)
-      text += fmt::format(", {} = {:g}{}", table_.group->name, group_.value, after_number(table_.group->unit));
-    return text;
+    const std::size_t points = std::max<std::size_t>(group_.abscissa.size(), 1);
+    return fmt::format("{} point{}{}", points, points > 1 ? "s" : "",
+                       table_.group ? ", " + group_in_words(table_, group_.value) : std::string());
   }
 
   void measure_scalar() {
     const double submitted = group_.values.at(quantity_.column.name).front();
-    const double reference = quantity_.reference({group_.value, 0});
-    const std::optional<double> u = stated(quantity_.column.name, std::abs(reference));
+    const double size = std::abs(reference());
+    const std::optional<double> u = stated(quantity_.column.name, size);
     measures_[Measure::value] = {submitted, u};
-    if (reference != 0) {
-      measures_[Measure::relative_error] = {(submitted - reference) / std::abs(reference),
-                                            times(1 / std::abs(reference), u)};
-    } else {
-      measures_[Measure::relative_error] = {};
-    }
+    Measured& relative = measures_[Measure::relative_error];
+    if (size != 0) relative = {(submitted - reference()) / size, times(1 / size, u)};
   }
 
   void measure_curve() {
@@ -224,32 +204,25 @@ class QuantityScore {
     try {
       agreement_ = agreement(submitted, {x, y});
     } catch (const std::invalid_argument& uncovered) {
-      throw std::invalid_argument(fmt::format("column {}: {}", table_.abscissa->name, uncovered.what()));
+      fail("column {}: {}", table_.abscissa->name, uncovered.what());
     }
     const Agreement& a = agreement_;
-    double l1 = 0;
-    double l2 = 0;
-    Worst largest;
-    for (const double r : a.reference) {
-      l1 += std::abs(r);
-      l2 += r * r;
-      largest.add(r);
-    }
-    const double linf = largest.value();
-    const auto n = static_cast<double>(a.reference.size());
-    const auto [lowest, highest] = std::minmax_element(a.reference.begin(), a.reference.end());
+    const auto sizes = over<Mean>(a.reference, [](double r) { return std::abs(r); });
+    const double linf = worst(a.reference);
+    const auto [lowest, highest] = std::ranges::minmax_element(a.reference);
     const std::optional<double> u = stated(quantity_.column.name, linf);
     const std::optional<double> u_x = stated(table_.abscissa->name, x.back() - x.front());
-    const auto over = [&](double size) { return u == 0.0 ? u : times(1 / size, u); };
-    measures_ = {{Measure::largest_error, {a.largest_error, u}},
-                 {Measure::relative_l1, {a.relative_l1, over(l1 / n)}},
-                 {Measure::relative_l2, {a.relative_l2, over(std::sqrt(l2 / n))}},
-                 {Measure::relative_linf, {a.relative_linf, over(linf)}},
-                 {Measure::amplitude_ratio, {a.amplitude_ratio, times(std::numbers::sqrt2, over(*highest - *lowest))}},
-                 {Measure::shift, {a.shift, u_x}},
-                 {Measure::peak_error, {a.peak - a.reference_peak, u}},
-                 {Measure::peak_shift, {a.peak_at - a.reference_peak_at, u_x}},
-                 {Measure::skill, {a.skill, 0}}};
+    const auto over_size = [&](double size) { return u == 0.0 ? u : times(1 / size, u); };
+    measures_ = {
+        {Measure::largest_error, {a.largest_error, u}},
+        {Measure::relative_l1, {a.relative_l1, over_size(sizes.value())}},
+        {Measure::relative_l2, {a.relative_l2, over_size(sizes.rms())}},
+        {Measure::relative_linf, {a.relative_linf, over_size(linf)}},
+        {Measure::amplitude_ratio, {a.amplitude_ratio, times(std::numbers::sqrt2, over_size(*highest - *lowest))}},
+        {Measure::shift, {a.shift, u_x}},
+        {Measure::peak_error, {a.peak - a.reference_peak, u}},
+        {Measure::peak_shift, {a.peak_at - a.reference_peak_at, u_x}},
+        {Measure::skill, {a.skill, 0}}};
     // A series that begins in the upper half of its range has nothing that arrives.
     if (table_.kind == WantedTable::Kind::series && a.reference.front() < 0.5 * (*lowest + *highest)) {
       constexpr double arrived = 0.1;  // of the reference's rise
@@ -280,7 +253,7 @@ class QuantityScore {
   [[nodiscard]] std::optional<double> told_expected(const Requirement& requirement) const {
     const auto* bound = std::get_if<evidence::Bound>(&requirement.criterion);
     if (bound == nullptr || bound->expected.stated()) return std::nullopt;
-    return quantity_.reference({group_.value, 0});
+    return reference();
   }
 
   void claim(const Requirement& requirement, evidence::Record& record) const {
@@ -316,25 +289,22 @@ class QuantityScore {
 };
 
 evidence::Table blank_table(const WantedTable& wanted) {
-  evidence::Table table{.id = wanted.name + "-measures",
-                        .title = fmt::format("Measures of the submitted {}", wanted.name),
-                        .caption = {},
-                        .columns = {{"quantity", "1"}},
-                        .rows = {},
-                        .atlas = {}};
-  table.columns.emplace_back(wanted.group ? wanted.group->name : "group", wanted.group ? wanted.group->unit : "1");
-  if (wanted.kind == WantedTable::Kind::scalars) {
-    table.caption = "Submitted, reference, and their relative difference, in the units asked for.";
-    for (const char* name : {"submitted", "reference", "relative error"}) table.columns.emplace_back(name, "1");
-    return table;
-  }
-  table.caption =
-      "Submitted values, interpolated linearly to the reference points, without extrapolation. Shift and peak in the "
-      "units of the template.";
-  for (const char* name : {"points", "coverage", "relative L1", "relative L2", "relative Linf", "skill",
-                           "amplitude ratio", "shift", "error of the peak"}) {
-    table.columns.emplace_back(name, "1");
-  }
+  const bool scalars = wanted.kind == WantedTable::Kind::scalars;
+  const Column group = wanted.group.value_or(Column{"group", "1", ""});
+  evidence::Table table{
+      .id = wanted.name + "-measures",
+      .title = fmt::format("Measures of the submitted {}", wanted.name),
+      .caption = scalars ? "Submitted, reference, and their relative difference, in the units asked for."
+                         : "Submitted values, interpolated linearly to the reference points, without extrapolation. "
+                           "Shift and peak in the units of the template.",
+      .columns = {{"quantity", "1"}, {group.name, group.unit}},
+      .rows = {},
+      .atlas = {}};
+  const auto names = scalars
+                         ? std::vector{"submitted", "reference", "relative error"}
+                         : std::vector{"points", "coverage",        "relative L1", "relative L2",      "relative Linf",
+                                       "skill",  "amplitude ratio", "shift",       "error of the peak"};
+  for (const char* name : names) table.columns.emplace_back(name, "1");
   return table;
 }
 
@@ -378,16 +348,14 @@ void claim_groups(const WantedTable& table, const std::vector<SubmittedGroup>& g
 /// The table's quantities that were submitted.
 WantedTable claim_quantities(const WantedTable& table, const Submitted& submitted, evidence::Record& record) {
   const WantedTable given = given_of({table}, submitted).front();
+  const auto name_of = [](const WantedQuantity& q) { return q.column.name; };
   WantedTable absent = table;
   std::erase_if(absent.quantities, [&](const WantedQuantity& q) {
-    return std::ranges::find(given.quantities, q.column.name, [](const auto& one) { return one.column.name; }) !=
-           given.quantities.end();
+    return std::ranges::find(given.quantities, q.column.name, name_of) != given.quantities.end();
   });
   if (absent.quantities.empty()) return given;
-  std::string names;
-  for (const WantedQuantity& q : absent.quantities) names += (names.empty() ? "" : ", ") + q.column.name;
-  claim_given(table, "-quantities-given", "quantities", table.quantities.size(), absent.quantities.size(), names,
-              record);
+  claim_given(table, "-quantities-given", "quantities", table.quantities.size(), absent.quantities.size(),
+              fmt::format("{}", fmt::join(absent.quantities | std::views::transform(name_of), ", ")), record);
   leave_out(absent, "the quantity was not submitted", record);
   return given;
 }
@@ -408,8 +376,7 @@ StatedUncertainty uncertainty_from(const std::string& quantity, const std::strin
   const char* end = text.data() + text.size() - (stated.relative ? 1 : 0);
   const auto [stopped, failure] = std::from_chars(text.data(), end, stated.value);
   if (failure != std::errc() || stopped != end || !std::isfinite(stated.value) || stated.value < 0) {
-    throw std::invalid_argument(
-        fmt::format("uncertainty {} = {}: must be a number at least 0, or a percentage", quantity, text));
+    fail("uncertainty {} = {}: must be a number at least 0, or a percentage", quantity, text);
   }
   if (stated.relative) stated.value /= 100;
   return stated;
@@ -441,12 +408,12 @@ void score(const std::vector<WantedTable>& wanted, const Submitted& submitted,
 
 void measure_own(const std::vector<WantedTable>& wanted, const Submitted& own, evidence::Exhibit& exhibit) {
   for (const WantedTable& table : wanted) {
-    const auto found = own.find(table.name);
-    if (found == own.end()) continue;
+    const std::vector<SubmittedGroup>& groups = groups_in(own, table);
+    if (groups.empty()) continue;
     for (const WantedQuantity& quantity : table.quantities) {
-      for (const SubmittedGroup& group : found->second) QuantityScore(table, quantity, group, {}).measure(exhibit);
+      for (const SubmittedGroup& group : groups) QuantityScore(table, quantity, group, {}).measure(exhibit);
     }
-    const std::vector<double>& x = found->second.front().abscissa;
+    const std::vector<double>& x = groups.front().abscissa;
     if (table.kind == WantedTable::Kind::profile && x.size() > 1) {
       exhibit.measure("cell_size", (x.back() - x.front()) / static_cast<double>(x.size() - 1));
     }

@@ -1,12 +1,12 @@
 #include "validation/scoring/solver_files.hpp"
 
 #include <algorithm>
-#include <stdexcept>
 
 #include <fmt/format.h>
 
 #include "seiche/io/hdf5_table.hpp"
 #include "seiche/io/text_table.hpp"
+#include "validation/case/refusal.hpp"
 #include "validation/scoring/gauge_files.hpp"
 #include "validation/scoring/geoclaw_grids.hpp"
 #include "validation/scoring/openfoam_files.hpp"
@@ -34,7 +34,7 @@ std::string recognised(const io::Text& text) {
   const auto by_swash = [](const std::string& line) {
     return line.starts_with('%') && line.find("SWASH") != line.npos;
   };
-  if (std::any_of(text.lines.begin(), text.lines.end(), by_swash)) return "swash";
+  if (std::ranges::any_of(text.lines, by_swash)) return "swash";
   if (is_station(file)) return "funwave";
   for (const std::string& line : text.lines) {
     if (line.starts_with("#") || line.find_first_not_of(" \t") == std::string::npos) continue;
@@ -49,7 +49,7 @@ io::Table read_text(const std::filesystem::path& file, const std::string& format
   if (format == "openfoam" && is_openfoam_set(file)) return read_openfoam_set(file);
   if (format == "geoclaw" && is_geoclaw_grid(file)) return read_geoclaw_grid(file);
   const io::Text text = io::text_of(file);
-  if (text.lines.empty()) throw std::invalid_argument(fmt::format("{}: no rows of numbers", file.string()));
+  if (text.lines.empty()) fail("{}: no rows of numbers", file.string());
   if (format == "openfoam") return read_openfoam(text);
   if (format == "geoclaw") return read_geoclaw(text);
   if (format == "reef3d") return read_reef3d(text);
@@ -63,29 +63,24 @@ io::Table read_text(const std::filesystem::path& file, const std::string& format
 
 ResultFile read_file(const std::filesystem::path& file, const Reading& how) {
   if (how.format == "hdf5" || (how.format == "auto" && io::is_hdf5(file))) {
-    return {.table = io::read_hdf5(file, how.wanted), .format = "hdf5", .files = {file}};
+    return {.table = io::read_hdf5(file, how.wanted), .format = "hdf5", .path = file, .files = {file}};
   }
   for (const char* adapted : {".vtk", ".vtu", ".vtp", ".vts", ".vti", ".pvd", ".nc", ".sww", ".mat", ".npz", ".61"}) {
-    if (file.extension() != adapted || how.format != "auto") continue;
-    throw std::invalid_argument(
-        fmt::format("{}: 'python3 -m seiche.adapt' makes a table of it, as its --help says", file.string()));
+    if (file.extension() == adapted && how.format == "auto")
+      fail("{}: 'python3 -m seiche.adapt' makes a table of it, as its --help says", file.string());
   }
   std::string chosen = how.format;
   constexpr std::size_t opening = 4096;  // [byte]
   if (chosen == "auto") chosen = how.columns.empty() ? recognised(io::text_of(file, opening)) : "delimited";
-  return {.table = read_text(file, chosen, how.columns), .format = chosen, .files = {file}};
+  return {.table = read_text(file, chosen, how.columns), .format = chosen, .path = file, .files = {file}};
 }
 
 /// Stations and gauges, a file each, of a folder.
 std::vector<std::filesystem::path> stations_in(const std::filesystem::path& folder) {
-  std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    const bool gauge = name.starts_with("gauge") && name.ends_with(".txt");
-    if (entry.is_regular_file() && (is_station(entry.path()) || gauge)) files.push_back(entry.path());
-  }
-  std::sort(files.begin(), files.end());
-  return files;
+  return files_in(folder, [](const std::filesystem::path& file) {
+    const std::string name = file.filename().string();
+    return is_station(file) || (name.starts_with("gauge") && name.ends_with(".txt"));
+  });
 }
 
 std::vector<ResultFile> read_folder(const std::filesystem::path& folder, const Reading& how) {
@@ -100,10 +95,8 @@ std::vector<ResultFile> read_folder(const std::filesystem::path& folder, const R
     results.push_back({.table = table, .format = read.format, .path = folder});
   }
   results.front().files = read.files;
-  if (how.format != "auto" && how.format != read.format) {
-    throw std::invalid_argument(
-        fmt::format("{}: --format {}: is a folder of {}", folder.string(), how.format, read.format));
-  }
+  if (how.format != "auto" && how.format != read.format)
+    fail("{}: --format {}: is a folder of {}", folder.string(), how.format, read.format);
   return results;
 }
 
@@ -116,16 +109,8 @@ const std::vector<std::string>& solver_formats() {
 }
 
 std::vector<ResultFile> read_results(const std::filesystem::path& path, const Reading& how) {
-  std::vector<ResultFile> results;
-  if (std::filesystem::is_directory(path)) {
-    results = read_folder(path, how);
-  } else {
-    results.push_back(read_file(path, how));
-  }
-  for (ResultFile& one : results) {
-    if (one.path.empty()) one.path = one.files.front();
-  }
-  return results;
+  if (std::filesystem::is_directory(path)) return read_folder(path, how);
+  return {read_file(path, how)};
 }
 
 }  // namespace seiche::validation

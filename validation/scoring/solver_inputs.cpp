@@ -5,12 +5,14 @@
 #include <map>
 #include <numeric>
 #include <sstream>
-#include <stdexcept>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "seiche/io/atomic_file.hpp"
+#include "seiche/samples.hpp"
+#include "validation/case/refusal.hpp"
+#include "validation/instruments/each.hpp"
 
 namespace seiche::validation {
 namespace {
@@ -32,13 +34,9 @@ std::string field_of(std::span<const Value> values, const char* type) {
 }  // namespace
 
 std::vector<Vector3> read_openfoam_centres(const std::filesystem::path& file) {
-  if (!std::filesystem::is_regular_file(file)) {
-    throw std::invalid_argument(fmt::format("{}: cannot be read as a file", file.string()));
-  }
+  const auto fail = [&](const std::string& what) { validation::fail("{}: {}", file.string(), what); };
+  if (!std::filesystem::is_regular_file(file)) fail("cannot be read as a file");
   const std::string text = io::read_file(file);
-  const auto fail = [&](const std::string& what) {
-    throw std::invalid_argument(fmt::format("{}: {}", file.string(), what));
-  };
   const std::size_t header = std::min(text.find("internalField"), text.size());
   const std::string opening = text.substr(0, header);
   if (opening.find("binary") != std::string::npos) fail("is binary: set writeFormat ascii and write the centres again");
@@ -50,8 +48,8 @@ std::vector<Vector3> read_openfoam_centres(const std::filesystem::path& file) {
   const std::size_t list = body.find(type);
   if (list == std::string::npos) fail("internalField is no nonuniform List<vector>");
   body.erase(0, list + type.size());
-  std::replace_if(
-      body.begin(), body.end(), [](char c) { return c == '(' || c == ')' || c == ';'; }, ' ');
+  std::ranges::replace_if(
+      body, [](char c) { return c == '(' || c == ')' || c == ';'; }, ' ');
   std::istringstream in(body);
   std::size_t count = 0;
   if (!(in >> count)) fail("List<vector> does not say how many");
@@ -71,12 +69,11 @@ std::string openfoam_field(std::span<const Vector3> values) {
 }
 
 std::vector<std::pair<double, double>> heights_of_cells(const std::vector<Vector3>& centres, std::size_t up) {
-  if (up != 1 && up != 2) throw std::invalid_argument(fmt::format("up = {}: must be 1 (y) or 2 (z)", up));
+  if (up != 1 && up != 2) fail("up = {}: must be 1 (y) or 2 (z)", up);
   const std::size_t across = 3 - up;
   const auto extent = [&](std::size_t axis) {
-    const auto [low, high] = std::minmax_element(centres.begin(), centres.end(),
-                                                 [axis](const auto& a, const auto& b) { return a[axis] < b[axis]; });
-    return low == centres.end() ? 0 : (*high)[axis] - (*low)[axis];
+    const auto along = each(centres, [&](const Vector3& centre) { return centre[axis]; });
+    return along.empty() ? 0 : largest(along) - smallest(along);
   };
   const double range = std::max(extent(0), extent(across));
   const double unit = range > 0 ? 1e-6 * range : 1;
@@ -85,16 +82,13 @@ std::vector<std::pair<double, double>> heights_of_cells(const std::vector<Vector
     columns[{std::llround(centres[i][0] / unit), std::llround(centres[i][across] / unit)}].push_back(i);
   }
   std::vector<std::pair<double, double>> edges(centres.size());
-  for (auto& column : columns) {
-    std::vector<std::size_t>& cells = column.second;
+  for (auto& [place, cells] : columns) {
     if (cells.size() < 2) {
-      throw std::invalid_argument(
-          fmt::format("one cell alone at x = {:g}: cells must stand above each other, two or more, with {} upward",
-                      centres[cells.front()][0], up == 1 ? "y" : "z"));
+      fail("one cell alone at x = {:g}: cells must stand above each other, two or more, with {} upward",
+           centres[cells.front()][0], up == 1 ? "y" : "z");
     }
-    std::sort(cells.begin(), cells.end(),
-              [&](std::size_t a, std::size_t b) { return centres[a][up] < centres[b][up]; });
-    const auto height = [&](std::size_t k) { return centres[cells[k]][up]; };
+    std::ranges::sort(cells, {}, [&](std::size_t cell) { return centres[cell][up]; });
+    const auto height = [&, &cells = cells](std::size_t k) { return centres[cells[k]][up]; };
     for (std::size_t k = 0; k < cells.size(); ++k) {
       const bool first = k == 0;
       const bool last = k + 1 == cells.size();
@@ -107,9 +101,7 @@ std::vector<std::pair<double, double>> heights_of_cells(const std::vector<Vector
 }
 
 std::string geoclaw_grid(std::span<const double> x, std::span<const double> y, std::span<const double> z) {
-  if (z.size() != x.size() * y.size()) {
-    throw std::invalid_argument(fmt::format("{} values for {} x {} points", z.size(), x.size(), y.size()));
-  }
+  if (z.size() != x.size() * y.size()) fail("{} values for {} x {} points", z.size(), x.size(), y.size());
   std::string text;
   for (std::size_t j = y.size(); j-- > 0;) {
     for (std::size_t i = 0; i < x.size(); ++i) {
@@ -120,32 +112,23 @@ std::string geoclaw_grid(std::span<const double> x, std::span<const double> y, s
 }
 
 std::string dualsphysics_motion(std::span<const double> times, std::span<const double> positions) {
-  if (times.size() != positions.size()) {
-    throw std::invalid_argument(fmt::format("{} times and {} positions", times.size(), positions.size()));
-  }
+  if (times.size() != positions.size()) fail("{} times and {} positions", times.size(), positions.size());
   std::string text = "#time [s];position [m]\n";
-  for (std::size_t k = 0; k < times.size(); ++k) {
-    text += fmt::format("{:.12g};{:.12g}\n", times[k], positions[k] + 0.0);
-  }
+  for (std::size_t k = 0; k < times.size(); ++k) text += fmt::format("{:.12g};{:.12g}\n", times[k], positions[k] + 0.0);
   return text;
 }
 
 std::string legacy_vtk(const std::string& title, const std::array<std::size_t, 3>& counts,
                        std::span<const Vector3> points, std::span<const NamedField> fields) {
   const std::size_t total = std::accumulate(counts.begin(), counts.end(), std::size_t{1}, std::multiplies<>());
-  if (points.size() != total) {
-    throw std::invalid_argument(fmt::format("{} points, must be {}", points.size(), fmt::join(counts, " x ")));
-  }
+  if (points.size() != total) fail("{} points, must be {}", points.size(), fmt::join(counts, " x "));
   std::string text =
       fmt::format("# vtk DataFile Version 3.0\n{}\nASCII\nDATASET STRUCTURED_GRID\nDIMENSIONS {}\nPOINTS {} double\n",
                   title.substr(0, 255), fmt::join(counts, " "), total);
   for (const Vector3& point : points) text += fmt::format("{:.17g}\n", fmt::join(point, " "));
   text += fmt::format("POINT_DATA {}\n", total);
   for (const NamedField& field : fields) {
-    if (field.values.size() != total) {
-      throw std::invalid_argument(
-          fmt::format("field {}: {} values for {} points", field.name, field.values.size(), total));
-    }
+    if (field.values.size() != total) fail("field {}: {} values for {} points", field.name, field.values.size(), total);
     text += fmt::format("SCALARS {} double 1\nLOOKUP_TABLE default\n", field.name);
     for (const double value : field.values) text += text_of(value) + "\n";
   }

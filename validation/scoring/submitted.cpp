@@ -3,14 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <ranges>
 #include <set>
-#include <stdexcept>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "seiche/io/text_table.hpp"
 #include "seiche/samples.hpp"
+#include "validation/case/refusal.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/scoring/file_columns.hpp"
 #include "validation/scoring/units.hpp"
 
@@ -69,18 +71,15 @@ class Reader {
     std::set<double> values;
     if (columns_.find(*wanted_.group))
       values.insert(columns_.values(*wanted_.group).begin(), columns_.values(*wanted_.group).end());
-    std::vector<double> shown(values.begin(), values.end());
-    const bool more = shown.size() > 8;
-    if (more) shown.resize(8);
-    return fmt::format("{}{}", fmt::join(shown, ", "), more ? ", ..." : "");
+    constexpr int most = 8;
+    return fmt::format("{}{}", fmt::join(values | std::views::take(most), ", "), values.size() > most ? ", ..." : "");
   }
 
  private:
   /// Columns that hold a gauge each, by the number in their name or by --gauges.
   [[nodiscard]] std::vector<Slice> gauges_beside() const {
     std::vector<Slice> slices;
-    std::vector<std::size_t> all(file_.rows());
-    for (std::size_t k = 0; k < all.size(); ++k) all[k] = k;
+    const std::vector<std::size_t> all = all_rows(file_.rows());
     const auto is_named = [&](const std::string& name) { return understood_.gauges.contains(name); };
     const bool named = std::ranges::any_of(file_.names, is_named);
     for (const std::string& name : file_.names) {
@@ -89,9 +88,8 @@ class Reader {
       const auto group = named ? group_named(name, understood_.gauges.at(name)) : group_near(number_at_end(name));
       if (!group) continue;
       slices.push_back({*group, all, name});
-      if (!io::number_in(name)) {
+      if (!io::number_in(name))
         columns_.note(fmt::format("column {} is taken for {} = {:g}", name, wanted_.group->name, *group));
-      }
     }
     return slices;
   }
@@ -100,10 +98,9 @@ class Reader {
   [[nodiscard]] std::optional<double> group_near(std::optional<double> value) const {
     if (!value) return {};
     const double scale = worst(*wanted_.groups);
-    for (const double group : *wanted_.groups) {
-      if (std::abs(*value - group) <= 1e-6 * scale) return group;
-    }
-    return {};
+    const auto is_near = [&](double group) { return std::abs(*value - group) <= 1e-6 * scale; };
+    const auto near = std::ranges::find_if(*wanted_.groups, is_near);
+    return near == wanted_.groups->end() ? std::nullopt : std::optional(*near);
   }
 
   /// What --gauges says of a name: a number, or a place.
@@ -113,12 +110,9 @@ class Reader {
     const auto x = io::number_in(text.substr(0, colon));
     const auto y = io::number_in(colon == std::string::npos ? "0" : text.substr(colon + 1));
     const auto group = !x || !y ? std::nullopt : colon == std::string::npos ? group_near(x) : group_at(*x, y);
-    if (!group) {
-      throw std::invalid_argument(fmt::format("--gauges {}={}: must be one of {}{}", name, text,
-                                              fmt::join(*wanted_.groups, ", "),
-                                              wanted_.places->empty() ? "" : ", or the position x:y of one"));
-    }
-    return *group;
+    if (group) return *group;
+    fail("--gauges {}={}: must be one of {}{}", name, text, fmt::join(*wanted_.groups, ", "),
+         wanted_.places->empty() ? "" : ", or the position x:y of one");
   }
 
   /// The gauge at a place.
@@ -139,36 +133,30 @@ class Reader {
       if (given != understood_.gauges.end()) return group_named(name, given->second);
     }
     const std::string stem = plain_name(path.stem().string());
-    const bool numbered = std::any_of(std::begin(gauge_names), std::end(gauge_names),
-                                      [&](const char* begin) { return stem.starts_with(begin); });
+    const bool numbered = std::ranges::any_of(gauge_names, [&](const char* begin) { return stem.starts_with(begin); });
     return numbered && wanted_.group->unit == "1" ? group_near(number_at_end(stem)) : std::nullopt;
   }
 
   [[nodiscard]] std::vector<Slice> slices() const {
     if (wide()) return beside_;
-    const std::size_t rows = columns_.values(given_.front()->column).size();
-    std::vector<Slice> all;
-    if (!wanted_.group) {
-      all.push_back({});
-      for (std::size_t row = 0; row < rows; ++row) all.front().rows.push_back(row);
-      return all;
-    }
+    const std::vector<std::size_t> rows = all_rows(columns_.values(given_.front()->column).size());
+    if (!wanted_.group) return {{.rows = rows}};
     const Column& column = *wanted_.group;
     const Column x{"x", "m", ""};
     const Column y{"y", "m", ""};
-    std::optional<double> whole;
     std::map<std::pair<double, double>, std::optional<double>> found;  // by place
     const bool named = columns_.find(column).has_value();
     const bool by_place = !named && !wanted_.places->empty() && columns_.find(x);
-    if (!named && !by_place) whole = group_of_file();
+    const std::optional<double> whole = named || by_place ? std::nullopt : group_of_file();
     const bool one_of_all =
         (named || (!by_place && !whole)) && columns_.values(column).size() == 1;  // or it is missing
     if (named && !one_of_all) check_length(column);
     for (const Column& axis : {x, y}) {
       if (by_place && columns_.find(axis)) check_length(axis);
     }
+    std::vector<Slice> all;
     for (const double g : *wanted_.groups) all.push_back({.group = g, .rows = {}});
-    for (std::size_t row = 0; row < rows; ++row) {
+    for (const std::size_t row : rows) {
       std::optional<double> own = whole;
       if (named) own = group_near(columns_.values(column)[one_of_all ? 0 : row]);
       if (by_place) {
@@ -177,7 +165,7 @@ class Reader {
         if (fresh) kept->second = group_at(columns_.values(x)[row], at_y);
         own = kept->second;
       }
-      const auto slice = std::find_if(all.begin(), all.end(), [&](const Slice& s) { return own && s.group == *own; });
+      const auto slice = std::ranges::find(all, own, [](const Slice& one) { return std::optional(one.group); });
       if (slice != all.end()) slice->rows.push_back(row);
     }
     return all;
@@ -192,10 +180,9 @@ class Reader {
       const std::vector<double>& at = file_.column(name);
       if (at.size() != columns_.values(*wanted_.abscissa).size()) continue;
       const double first = at[chosen.front()];
-      for (const std::size_t row : chosen) {
-        if (at[row] == first) continue;
-        return fmt::format("holds {} = {:g} and {:g}, and one alone is asked for", name, first, at[row]);
-      }
+      const auto other = std::ranges::find_if(chosen, [&](std::size_t row) { return at[row] != first; });
+      if (other == chosen.end()) continue;
+      return fmt::format("holds {} = {:g} and {:g}, and one alone is asked for", name, first, at[*other]);
     }
     return {};
   }
@@ -220,10 +207,8 @@ class Reader {
 
   [[nodiscard]] SubmittedGroup group(Slice slice) const {
     const Column& first = wanted_.group ? *wanted_.group : given_.front()->column;
-    const std::string where =
-        wanted_.group ? fmt::format(" for {} = {:g}{}", first.name, slice.group, after_number(first.unit)) : "";
-    SubmittedGroup result;
-    result.value = slice.group;
+    const std::string where = wanted_.group ? " for " + group_in_words(wanted_, slice.group) : std::string();
+    SubmittedGroup result{.value = slice.group};
     if (!wanted_.abscissa) {
       if (slice.rows.size() != 1)
         columns_.fail(first, fmt::format("{} rows{}, must be exactly one", slice.rows.size(), where));
@@ -235,9 +220,8 @@ class Reader {
       return result;
     }
     if (const WantedQuantity* h = depth()) {
-      Worst deepest;
-      for (const double point : wanted_.points(slice.group)) deepest.add(h->reference({slice.group, point}));
-      slice.wet = dry_below * deepest.value();
+      const auto depth_at = [&](double point) { return h->reference({slice.group, point}); };
+      slice.wet = dry_below * over<Worst>(wanted_.points(slice.group), depth_at).value();
     }
     const std::vector<double>& x = columns_.values(*wanted_.abscissa);
     for (const std::size_t row : slice.rows) {
@@ -247,14 +231,12 @@ class Reader {
     put_in_order(slice, where);
     for (const std::size_t row : slice.rows) {
       const std::optional<std::vector<double>> kept = values_at(row, slice);
+      const bool in_gap = !result.gaps.empty() && result.gaps.back().first == result.abscissa.back();
       if (!kept) {
-        if (!result.abscissa.empty() && (result.gaps.empty() || result.gaps.back().first != result.abscissa.back())) {
-          result.gaps.emplace_back(result.abscissa.back(), x[row]);
-        }
+        if (!result.abscissa.empty() && !in_gap) result.gaps.emplace_back(result.abscissa.back(), x[row]);
         continue;
       }
-      if (!result.gaps.empty() && result.gaps.back().first == result.abscissa.back())
-        result.gaps.back().second = x[row];
+      if (in_gap) result.gaps.back().second = x[row];
       result.abscissa.push_back(x[row]);
       for (std::size_t k = 0; k < kept->size(); ++k) {
         result.values[given_[k]->column.name].push_back((*kept)[k]);
@@ -309,8 +291,8 @@ class Reader {
   }
 
   [[nodiscard]] const WantedQuantity* depth() const {
-    const auto found =
-        std::ranges::find_if(given_, [](const WantedQuantity* q) { return q->column.name == "h" && q->reference; });
+    const auto is_depth = [](const WantedQuantity* q) { return q->column.name == "h" && q->reference; };
+    const auto found = std::ranges::find_if(given_, is_depth);
     return found == given_.end() ? nullptr : *found;
   }
 
@@ -347,22 +329,13 @@ class Reader {
   std::vector<Slice> beside_;
 };
 
-/// Adds columns of the same rows; false where one is there already.
-bool unite(std::map<std::string, std::vector<double>>& columns,
-           const std::map<std::string, std::vector<double>>& more) {
-  if (std::ranges::any_of(more, [&](const auto& one) { return columns.contains(one.first); })) return false;
-  columns.insert(more.begin(), more.end());
-  return true;
-}
-
 }  // namespace
 
 std::vector<WantedTable> given_of(std::vector<WantedTable> wanted, const Submitted& submitted) {
   for (WantedTable& table : wanted) {
-    const auto found = submitted.find(table.name);
-    if (found == submitted.end()) continue;
     std::erase_if(table.quantities, [&](const WantedQuantity& q) {
-      return std::ranges::any_of(found->second, [&](const auto& one) { return !one.values.contains(q.column.name); });
+      const auto lacks_it = [&](const SubmittedGroup& group) { return !group.values.contains(q.column.name); };
+      return std::ranges::any_of(groups_in(submitted, table), lacks_it);
     });
   }
   return wanted;
@@ -375,48 +348,45 @@ Submitted submitted_from(const std::vector<io::Table>& files, const std::vector<
   std::map<const io::Table*, std::string> taken;  // wide tables, by what they hold
   for (const WantedTable& table : wanted) {
     std::vector<SubmittedGroup> groups;
-    std::string holder;
-    std::string there;
+    std::string holder, there;
     for (const io::Table& file : files) {
       const Reader reader(file, table, wanted.size() == 1, understood, used);
       if (!reader.holds()) continue;
       if (const auto [kept, fresh] = taken.try_emplace(&file, table.name); reader.wide() && !fresh) {
-        throw std::invalid_argument(fmt::format("{}: fits the tables {} and {}: add --table with one of them",
-                                                file.source, kept->second, table.name));
+        fail("{}: fits the tables {} and {}: add --table with one of them", file.source, kept->second, table.name);
       }
       const std::vector<SubmittedGroup> here = reader.groups();
       if (here.empty()) there = reader.there();
       for (const SubmittedGroup& one : here) {
-        const auto same =
-            std::find_if(groups.begin(), groups.end(), [&](const SubmittedGroup& g) { return g.value == one.value; });
+        const auto same = std::ranges::find(groups, one.value, &SubmittedGroup::value);
         if (same == groups.end()) {
           groups.push_back(one);
           continue;
         }
-        if (same->abscissa == one.abscissa && same->gaps == one.gaps && unite(same->values, one.values)) continue;
-        const std::string which = table.group ? fmt::format(" at {} = {:g}", table.group->name, one.value) : "";
-        throw std::invalid_argument(fmt::format("{}: holds the table {}{}, which {} holds as well", file.source,
-                                                table.name, which, holder.empty() ? "another of its columns" : holder));
+        const auto is_there = [&](const auto& column) { return same->values.contains(column.first); };
+        if (same->abscissa != one.abscissa || same->gaps != one.gaps || std::ranges::any_of(one.values, is_there)) {
+          fail("{}: holds the table {}{}, which {} holds as well", file.source, table.name,
+               table.group ? fmt::format(" at {} = {:g}", table.group->name, one.value) : "",
+               holder.empty() ? "another of its columns" : holder);
+        }
+        same->values.insert(one.values.begin(), one.values.end());
       }
       holder = file.source;
     }
     if (groups.empty() && !holder.empty()) {
-      throw std::invalid_argument(fmt::format("{}: column {}: holds {}, must be some of {}", holder, table.group->name,
-                                              there.empty() ? "places where none is" : there,
-                                              fmt::join(*table.groups, ", ")));
+      fail("{}: column {}: holds {}, must be some of {}", holder, table.group->name,
+           there.empty() ? "places where none is" : there, fmt::join(*table.groups, ", "));
     }
     const std::vector<WantedTable> common = given_of({table}, {{table.name, groups}});
     if (!groups.empty() && common.front().quantities.empty()) {
-      throw std::invalid_argument(
-          fmt::format("{}: holds none of the quantities of the table {} that other files hold", holder, table.name));
+      fail("{}: holds none of the quantities of the table {} that other files hold", holder, table.name);
     }
     const auto number = [&](const SubmittedGroup& one) { return std::ranges::find(*table.groups, one.value); };
     if (table.group) std::ranges::stable_sort(groups, {}, number);
     if (!groups.empty()) submitted[table.name] = std::move(groups);
   }
   for (const auto& [name, gauge] : understood.gauges) {
-    if (used.contains(name)) continue;
-    throw std::invalid_argument(fmt::format("--gauges {}={}: no column and no file is called {}", name, gauge, name));
+    if (!used.contains(name)) fail("--gauges {0}={1}: no column and no file is called {0}", name, gauge);
   }
   // Says which column of the first table is missing, or why it cannot be used.
   if (submitted.empty()) {

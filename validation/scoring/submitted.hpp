@@ -25,6 +25,13 @@ struct Understanding {
 
 /// The columns of a table in the order of the template.
 std::vector<Column> columns_of(const WantedTable& wanted);
+/// The groups that a table asks for, and the points in one of them; 0 alone where there is no such column.
+std::vector<double> groups_of(const WantedTable& wanted);
+std::vector<double> points_of(const WantedTable& wanted, double group);
+/// "x = 2.3 m", of a table with groups.
+std::string group_in_words(const WantedTable& wanted, double group);
+/// What was submitted of a table; empty where nothing was.
+const std::vector<SubmittedGroup>& groups_in(const Submitted& submitted, const WantedTable& table);
 
 /// Names that solvers give to a column that is called so here, in small letters; a name in that form.
 const std::vector<std::string>& other_names(const std::string& wanted);
@@ -39,9 +46,12 @@ struct NearestGroup {
 std::optional<NearestGroup> nearest_group(const std::map<double, std::pair<double, double>>& places, double x,
                                           std::optional<double> y);
 
-/// Names, in the file, of all columns that the tables ask for.
+/// The name of a wanted column in the file; names, there, of all columns that the tables ask for.
+std::string name_in_file(const std::string& wanted, const ColumnNames& renamed);
 std::vector<std::string> names_in_files(const std::vector<WantedTable>& wanted, const ColumnNames& renamed);
 
+/// 0, 1, ... so many.
+std::vector<std::size_t> all_rows(std::size_t count);
 /// Which rows of a series or profile count, in the order of the abscissa. Of rows at the same place the later counts. A
 /// series that goes back and then on beyond where it was, was restarted: what was there from then on is replaced; rows
 /// in another order are sorted.

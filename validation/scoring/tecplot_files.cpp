@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <limits>
+#include <iterator>
 
 #include <fmt/format.h>
 
@@ -47,7 +47,7 @@ io::Table read_tecplot(const io::Text& text) {
   std::vector<std::string> names;
   std::vector<double> times;  // of the rows
   std::vector<std::size_t> zones;
-  double time = std::numeric_limits<double>::quiet_NaN();
+  double time = nan;
   for (std::size_t line = 0; line < text.lines.size(); ++line) {
     const std::vector<std::string> words = settings_of(text.lines[line]);
     const bool named = text.lines[line].find('"') != std::string::npos && zones.empty() && !names.empty();
@@ -57,12 +57,11 @@ io::Table read_tecplot(const io::Text& text) {
       continue;
     }
     rows.lines[line].clear();
-    if (words.empty() || words.front() == "VARIABLES") {
-      for (const std::string& name : variables_of(text.lines[line])) names.push_back(name);
-    }
+    if (words.empty() || words.front() == "VARIABLES")
+      std::ranges::move(variables_of(text.lines[line]), std::back_inserter(names));
     if (!words.empty() && words.front() == "ZONE") {
       zones.push_back(line);
-      time = std::numeric_limits<double>::quiet_NaN();
+      time = nan;
     }
     for (std::size_t k = 0; k + 1 < words.size() && !zones.empty(); ++k) {
       if (words[k + 1] == "BLOCK" || words[k + 1].starts_with("FE"))

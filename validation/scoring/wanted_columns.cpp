@@ -1,7 +1,8 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <limits>
+#include <numeric>
+#include <ranges>
 #include <set>
 
 #include <fmt/format.h>
@@ -10,6 +11,7 @@
 #include "seiche/io/text_table.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/scoring/submitted.hpp"
+#include "validation/scoring/units.hpp"
 
 namespace seiche::validation {
 
@@ -31,8 +33,7 @@ const std::vector<std::string>& other_names(const std::string& wanted) {
 }
 
 std::string plain_name(std::string name) {
-  std::transform(name.begin(), name.end(), name.begin(),
-                 [](unsigned char c) { return c == ' ' ? '_' : std::tolower(c); });
+  std::ranges::transform(name, name.begin(), [](unsigned char c) { return c == ' ' ? '_' : std::tolower(c); });
   return name;
 }
 
@@ -44,31 +45,57 @@ std::vector<Column> columns_of(const WantedTable& wanted) {
   return columns;
 }
 
+std::vector<double> groups_of(const WantedTable& wanted) {
+  return wanted.group ? *wanted.groups : std::vector<double>{0};
+}
+
+std::vector<double> points_of(const WantedTable& wanted, double group) {
+  return wanted.abscissa ? wanted.points(group) : std::vector<double>{0};
+}
+
+std::string group_in_words(const WantedTable& wanted, double group) {
+  return fmt::format("{} = {:g}{}", wanted.group->name, group, after_number(wanted.group->unit));
+}
+
+const std::vector<SubmittedGroup>& groups_in(const Submitted& submitted, const WantedTable& table) {
+  static const std::vector<SubmittedGroup> none;
+  const auto found = submitted.find(table.name);
+  return found == submitted.end() ? none : found->second;
+}
+
+std::string name_in_file(const std::string& wanted, const ColumnNames& renamed) {
+  const auto found = renamed.find(wanted);
+  return found == renamed.end() ? wanted : found->second;
+}
+
 std::vector<std::string> names_in_files(const std::vector<WantedTable>& wanted, const ColumnNames& renamed) {
   std::vector<std::string> names;
   for (const WantedTable& table : wanted) {
     for (const Column& column : columns_of(table)) {
-      const auto found = renamed.find(column.name);
-      names.push_back(found == renamed.end() ? column.name : found->second);
+      names.push_back(name_in_file(column.name, renamed));
+      if (renamed.contains(column.name)) continue;
       const std::vector<std::string>& others = other_names(column.name);
-      if (found == renamed.end()) names.insert(names.end(), others.begin(), others.end());
+      names.insert(names.end(), others.begin(), others.end());
     }
   }
   return names;
 }
 
+std::vector<std::size_t> all_rows(std::size_t count) {
+  std::vector<std::size_t> rows(count);
+  std::iota(rows.begin(), rows.end(), std::size_t{0});
+  return rows;
+}
+
 RowOrder in_order(const std::vector<double>& abscissa, const std::vector<std::size_t>& rows) {
   RowOrder order{.rows = rows};
   if (rows.empty()) return order;
-  const auto [low, high] = std::minmax_element(rows.begin(), rows.end(),
-                                               [&](std::size_t a, std::size_t b) { return abscissa[a] < abscissa[b]; });
-  const double late =
-      abscissa[*low] + 0.05 * (abscissa[*high] - abscissa[*low]);  // a restart is not from the beginning
+  const auto at = [&](std::size_t row) { return abscissa[row]; };
+  const auto [low, high] = std::ranges::minmax(rows | std::views::transform(at));
+  const double late = low + 0.05 * (high - low);  // a restart is not from the beginning
   std::set<double> seen;
-  bool repeats = false;
-  bool back = false;
+  bool repeats = false, back = false, later = true;
   bool onwards = true;  // every part that begins earlier goes on to where the one before it was
-  bool later = true;
   double reached = abscissa[rows.front()];
   for (std::size_t k = 0; k < rows.size(); ++k) {
     const double x = abscissa[rows[k]];
@@ -82,14 +109,12 @@ RowOrder in_order(const std::vector<double>& abscissa, const std::vector<std::si
   }
   onwards = onwards && abscissa[rows.back()] >= reached;
   order.sorted = back && !(onwards && (repeats || later));
-  if (order.sorted)
-    std::stable_sort(order.rows.begin(), order.rows.end(),
-                     [&](std::size_t a, std::size_t b) { return abscissa[a] < abscissa[b]; });
+  if (order.sorted) std::ranges::stable_sort(order.rows, {}, at);
   std::vector<std::size_t> stays;
-  for (std::size_t k = order.rows.size(); k-- > 0;) {
-    if (stays.empty() || abscissa[order.rows[k]] < abscissa[stays.back()]) stays.push_back(order.rows[k]);
+  for (const std::size_t row : std::views::reverse(order.rows)) {
+    if (stays.empty() || abscissa[row] < abscissa[stays.back()]) stays.push_back(row);
   }
-  std::reverse(stays.begin(), stays.end());
+  std::ranges::reverse(stays);
   order.replaced = rows.size() - stays.size();
   order.rows = stays;
   return order;
@@ -104,9 +129,7 @@ bool in_gap(const SubmittedGroup& group, double x) {
 
 std::vector<double> reference_at(const WantedQuantity& quantity, const SubmittedGroup& group,
                                  const std::vector<double>& x) {
-  return each(x, [&](double at) {
-    return in_gap(group, at) ? std::numeric_limits<double>::quiet_NaN() : quantity.reference({group.value, at});
-  });
+  return each(x, [&](double at) { return in_gap(group, at) ? nan : quantity.reference({group.value, at}); });
 }
 
 std::string template_of(const WantedTable& wanted, const std::string& opening) {
@@ -119,13 +142,11 @@ std::string template_of(const WantedTable& wanted, const std::string& opening) {
   for (const std::string& command : *wanted.exact) text += fmt::format("# the reference: {}\n", command);
   text += fmt::format("{}\n", fmt::join(header, ","));
   const std::string blanks(wanted.quantities.size() - (wanted.abscissa ? 0 : 1), ',');
-  for (const double g : wanted.group ? *wanted.groups : std::vector<double>{0}) {
-    const std::string group = wanted.group ? fmt::format("{}{}", g, wanted.abscissa ? "," : "") : "";
-    if (!wanted.abscissa) {
-      text += fmt::format("{}{}{}\n", group, wanted.group ? "," : "", blanks);
-      continue;
+  for (const double g : groups_of(wanted)) {
+    const std::string group = wanted.group ? fmt::format("{},", g) : "";
+    for (const double x : points_of(wanted, g)) {
+      text += fmt::format("{}{}{}\n", group, wanted.abscissa ? fmt::format("{}", x) : "", blanks);
     }
-    for (const double x : wanted.points(g)) text += fmt::format("{}{}{}\n", group, x, blanks);
   }
   return text;
 }
