@@ -160,15 +160,16 @@ struct Periodic {
   [[nodiscard]] double phase_limit(const SetUp& s) const {
     return limit(s) * larger_force() / std::min(std::abs(small.load.force.front), std::abs(small.load.force.rear));
   }
-  /// From the force of small waves, of either.
-  [[nodiscard]] std::array<std::complex<double>, 2> differences() const {
-    return {settled.front - small.sense() * small.load.force.front,
-            settled.rear - small.sense() * small.load.force.rear};
+  /// Largest difference of a force from that of small waves, over the larger one.
+  [[nodiscard]] double difference() const {
+    return worst(std::array{std::abs(settled.front - small.sense() * small.load.force.front),
+                            std::abs(settled.rear - small.sense() * small.load.force.rear)}) /
+           larger_force();
   }
-  /// Phase from that of small waves, of either.
-  [[nodiscard]] std::array<double, 2> phases() const {
-    return {std::arg(settled.front * small.sense() * small.load.force.front),
-            std::arg(settled.rear * small.sense() * small.load.force.rear)};
+  /// Largest phase from that of small waves.
+  [[nodiscard]] double phase() const {
+    return worst(std::array{std::arg(settled.front * small.sense() * small.load.force.front),
+                            std::arg(settled.rear * small.sense() * small.load.force.rear)});
   }
   /// |total| over the force on a plain wall.
   [[nodiscard]] double relative() const { return std::abs(settled.total()) / small.load.plain_wall; }
@@ -181,10 +182,10 @@ template <class Value, class Limit>
 Measurement farthest(const Results& r, Value value, Limit limit) {
   Largest share;
   for (std::size_t n = 0; n < r.size(); ++n) {
-    share.add(value(r[n]) / limit(r[n]), static_cast<double>(n));
+    share.add(std::invoke(value, r[n]) / limit(r[n]), static_cast<double>(n));
   }
   const Periodic& one = r[static_cast<std::size_t>(share.where())];
-  return {.value = value(one),
+  return {.value = std::invoke(value, one),
           .where = fmt::format("waves of L/h = {:.3g}", one.small.load.wavelength),
           .told = {.limit = limit(one)}};
 }
@@ -195,31 +196,21 @@ const std::string reason =
     "berm within two periods, so that (height/0.02)^2 of that drift accumulates every two periods";
 
 void claim_loads(const Claims<Results>& claims, const SetUp& s) {
+  const auto limit = [s](const Periodic& one) { return one.limit(s); };
+  const auto phase_limit = [s](const Periodic& one) { return one.phase_limit(s); };
   claims.check(
       "forces",
       "The forces of periodic waves on front and rear agree with small standing waves within the unsettled start and "
       "the mesh drift, 2 % at most.",
       "largest difference, amplitude and phase, over the larger force",
-      [s](const Results& r) {
-        return farthest(
-            r,
-            [](const Periodic& one) {
-              return worst(each(one.differences(), [](const auto& difference) { return std::abs(difference); })) /
-                     one.larger_force();
-            },
-            [&](const Periodic& one) { return one.limit(s); });
-      },
+      [limit](const Results& r) { return farthest(r, &Periodic::difference, limit); },
       Bound{.limit = Amount::told_by_run(largest_limit), .reason = reason});
   claims.check(
       "phases",
       "The phases of the forces on front and rear agree with small standing waves within start and mesh drift, 0.06 "
       "rad at most.",
       "largest difference of the phase from small standing waves [rad]",
-      [s](const Results& r) {
-        return farthest(
-            r, [](const Periodic& one) { return worst(one.phases()); },
-            [&](const Periodic& one) { return one.phase_limit(s); });
-      },
+      [phase_limit](const Results& r) { return farthest(r, &Periodic::phase, phase_limit); },
       Bound{.limit = Amount::told_by_run(3 * largest_limit), .reason = reason + "; of the smaller force"});
   claims.from("Havelock (1929)")
       .check(
