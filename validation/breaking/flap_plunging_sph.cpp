@@ -359,13 +359,10 @@ void draw(evidence::Exhibit& exhibit, const std::vector<Model>& models, const Re
     }
   }
   for (const double phase : frames) {
-    draw_exact(figure.panel({.x = "x [L]",
-                             .y = "z [L]",
-                             .title = fmt::format("potential flow, {:.2f} T", phase - 1),
-                             .equal_aspect = true,
-                             .y_min = 0,
-                             .y_max = 0.4}),
-               (phase - 1) * period, 801);
+    const std::string title = fmt::format("potential flow, {:.2f} T", phase - 1);
+    draw_exact(
+        figure.panel({.x = "x [L]", .y = "z [L]", .title = title, .equal_aspect = true, .y_min = 0, .y_max = 0.4}),
+        (phase - 1) * period, 801);
   }
   auto& panel = add_panel(exhibit, "jet", "Path of the jet tip", "Until impact on the water ahead.",
                           {.x = "x/L", .y = "z/L", .equal_aspect = true});

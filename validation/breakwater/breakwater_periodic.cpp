@@ -353,10 +353,8 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
     const TankHistory& history = one->history;
     BermHistory forces{history.time, each(history.front, relative), each(history.rear, relative)};
     std::ranges::transform(forces.front, forces.rear, std::back_inserter(forces.total), std::plus{});
-    draw_forces(figure.panel({.x = "t [sqrt(depth/g)]",
-                              .y = "force/height [rho g depth]",
-                              .title = fmt::format("waves of L/h = {:.3g}", one->small.load.wavelength)}),
-                forces);
+    const std::string title = fmt::format("waves of L/h = {:.3g}", one->small.load.wavelength);
+    draw_forces(figure.panel({.x = "t [sqrt(depth/g)]", .y = "force/height [rho g depth]", .title = title}), forces);
   }
 }
 

@@ -178,9 +178,8 @@ void draw_growth(evidence::Exhibit& exhibit, const std::vector<ReflectionSeries>
                                 "waves. The growth is slowest near resonance.");
   for (const ReflectionSeries& one : series) {
     const double slow = std::pow(one.amplitude, 1.5);
-    auto& panel = figure.panel({.x = "a_i^(3/2) t [sqrt(depth/g)]",
-                                .y = "a_w/a_i",
-                                .title = fmt::format("a = {:g}, h = {:g}", one.amplitude, one.spacing)});
+    const std::string title = fmt::format("a = {:g}, h = {:g}", one.amplitude, one.spacing);
+    auto& panel = figure.panel({.x = "a_i^(3/2) t [sqrt(depth/g)]", .y = "a_w/a_i", .title = title});
     const std::size_t stride = std::max<std::size_t>(one.angles.size() / 5, 1);
     for (std::size_t k = 0; k < one.angles.size(); ++k) {
       const Reflection& r = one.reflections[k];
