@@ -54,36 +54,19 @@ using Complex = std::complex<double>;
 // wavenumber, with Havelock's height per stroke. Waves that decay with the distance from the paddle are left out.
 //
 // When not to use it: within two depths of the paddle; distances that a part of the motion has not left behind.
-class TankStart {
- public:
-  explicit TankStart(const IncidentWaves& waves);
-  /// Amplitude at a distance from the piston over that of the settled wave, its phase taken out: 1 when settled, 0
-  /// before anything arrives.
-  [[nodiscard]] Complex settled_share(double distance) const {
-    Complex sum = 0;
-    for (const Part& part : parts_) {
-      const Complex travel = std::polar(1.0, part.wavenumber * distance);
-      sum += part.forward * std::conj(travel) + part.backward * travel;
-    }
-    return sum * std::polar(1.0, -wavenumber_ * distance);
-  }
-
- private:
-  struct Part {
-    double wavenumber;
-    Complex forward, backward;  // weights of the wave and of its conjugate
-  };
-
-  double wavenumber_;
-  std::vector<Part> parts_;
-};
-
-TankStart::TankStart(const IncidentWaves& waves) {
+//
+// The share is the amplitude at a distance from the piston over that of the settled wave, its phase taken out: 1 when
+// settled, 0 before anything arrives.
+std::function<Complex(double distance)> settled_share(const IncidentWaves& waves) {
   const exact::AiryDispersion airy(1, 1);
   const auto height = [](double omega) {
     return exact::Wavemaker(exact::Paddle::piston, {1, 1}, exact::AngularFrequency{omega}).height_per_stroke();
   };
-  wavenumber_ = airy.wavenumber(waves.omega);
+  struct Part {
+    double wavenumber;
+    Complex forward, backward;  // weights of the wave and of its conjugate
+  };
+  std::vector<Part> parts;
   // A sum over frequencies repeats itself after 2 pi/spacing: four runs, in which shorter waves do not come so far.
   const double spacing = 2 * pi / (4 * waves.end);
   constexpr double fastest = 4;
@@ -107,8 +90,16 @@ TankStart::TankStart(const IncidentWaves& waves) {
     }
     // The elevation, the sum of Re share exp(i (omega t - k x)), is ahead of the piston's place by a quarter period.
     const Complex share = Complex(0, 1) * motion * (spacing / pi) * height(omega) / settled;
-    parts_.push_back({airy.wavenumber(omega), share * opposite / weights, std::conj(share) * same / weights});
+    parts.push_back({airy.wavenumber(omega), share * opposite / weights, std::conj(share) * same / weights});
   }
+  return [parts, wavenumber = airy.wavenumber(waves.omega)](double distance) {
+    Complex sum = 0;
+    for (const Part& part : parts) {
+      const Complex travel = std::polar(1.0, part.wavenumber * distance);
+      sum += part.forward * std::conj(travel) + part.backward * travel;
+    }
+    return sum * std::polar(1.0, -wavenumber * distance);
+  };
 }
 
 const std::string source = "Frank (1994), section 2.3";
@@ -279,7 +270,7 @@ IncidentWaves incident(const SetUp& s, const BasinWave& small) {
 /// Share of the wave that is missing, or too much, by the linear theory of the start: in what comes in, in what comes
 /// back, and in what has come around.
 double unsettled(const SetUp& s, const IncidentWaves& waves, const Antinode& antinode) {
-  const TankStart start(waves);
+  const auto share = settled_share(waves);
   const exact::AiryDispersion deep(1, 1);
   const exact::AiryDispersion shallow(1, 1 - s.berm.rise);
   const double slower =
@@ -289,8 +280,7 @@ double unsettled(const SetUp& s, const IncidentWaves& waves, const Antinode& ant
   // As far in deep water as the berm takes time.
   const double back = length - s.berm.width + 2 * slower * s.berm.width + (-antinode.place - s.berm.width);
   const double around = 2 * (length - s.berm.width) + there;
-  return std::abs(start.settled_share(there) - 1.0) + std::abs(start.settled_share(back) - 1.0) +
-         std::abs(start.settled_share(around));
+  return std::abs(share(there) - 1.0) + std::abs(share(back) - 1.0) + std::abs(share(around));
 }
 
 Results compute(const Run& run) {
