@@ -118,26 +118,19 @@ struct Results {
 void draw_setup(evidence::Exhibit& exhibit, const exact::Bore& bore) {
   const double h0 = bore.ahead().depth;
   const double h1 = bore.behind().depth;
-  const double u1 = bore.behind_velocity();
+  evidence::Axes axes{
+      .x = "x [m]", .y = "elevation [m]", .x_min = 0, .x_max = length, .y_min = -0.1, .y_max = 1.5 * h1};
   auto& piston =
       add_panel(exhibit, "setup-piston", "Bore driven by a piston",
-                "The piston at the left moves at the velocity of the water behind the bore.",
-                {.x = "x [m]", .y = "elevation [m]", .x_min = 0, .x_max = length, .y_min = -0.1, .y_max = 1.5 * h1},
-                {"bzz-fig-9"});
+                "The piston at the left moves at the velocity of the water behind the bore.", axes, {"bzz-fig-9"});
   const std::vector<double> x{start, start, start + 30, start + 30, length};
   piston.fill("water", x, std::vector<double>{0, h1, h1, h0, h0}, Role::water);
   piston.line("piston", std::vector<double>{start, start}, std::vector<double>{0, 1.3 * h1}, Role::guide);
   piston.line("bed", std::vector<double>{0, length}, std::vector<double>{0, 0}, Role::bed);
 
-  auto& panel = add_panel(exhibit, "setup", "Bore: initial state", "Depths and velocities at t = 0.",
-                          {.x = "x [m]",
-                           .y = "elevation [m]",
-                           .title = fmt::format("behind u = {:.3f} m/s, ahead at rest", u1),
-                           .x_min = 0,
-                           .x_max = length,
-                           .y_min = -0.1,
-                           .y_max = 1.5 * h1},
-                          {"bzz-fig-10"});
+  axes.title = fmt::format("behind u = {:.3f} m/s, ahead at rest", bore.behind_velocity());
+  auto& panel =
+      add_panel(exhibit, "setup", "Bore: initial state", "Depths and velocities at t = 0.", axes, {"bzz-fig-10"});
   panel.fill("water", std::vector<double>{0, start, start, length}, std::vector<double>{h1, h1, h0, h0}, Role::water);
   panel.line("bed", std::vector<double>{0, length}, std::vector<double>{0, 0}, Role::bed);
 }

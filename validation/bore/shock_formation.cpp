@@ -40,17 +40,6 @@ struct SetUp {
   [[nodiscard]] std::string finest() const { return fmt::format("N = {}", n.back()); }
 };
 
-Profile profile_of(const SetUp& s, long n) {
-  const auto piston = [speed = s.speed](double t) {
-    return t < 2 ? speed * std::pow(std::sin(std::numbers::pi * t / 4), 2) : speed;
-  };
-  particles::ParticleFlow flow(particles::uniform_stretches({{0, length, {depth, 0}}}, static_cast<std::size_t>(n)),
-                               {.left = particles::Piston{piston}, .right = particles::Wall{}}, {.gravity = s.gravity},
-                               {.theta = 1.5});
-  march(flow, time);
-  return flow.measured_profile();
-}
-
 /// Depth of a bore in which still water takes up the velocity at once, by bisection.
 double bore_depth(double gravity, double speed) {
   double low = depth;
@@ -124,8 +113,15 @@ Results compute(const Run& run) {
   Results r{.set_up = set_up(run)};
   const SetUp& s = r.set_up;
   const Front near{.behind = s.bore, .ahead = depth, .position = 0.5 * length, .reach = 0.5 * length};
+  const auto piston = [speed = s.speed](double t) {
+    return t < 2 ? speed * std::pow(std::sin(std::numbers::pi * t / 4), 2) : speed;
+  };
   for (const long count : s.n) {
-    r.finest = profile_of(s, count);
+    particles::ParticleFlow flow(
+        particles::uniform_stretches({{0, length, {depth, 0}}}, static_cast<std::size_t>(count)),
+        {.left = particles::Piston{piston}, .right = particles::Wall{}}, {.gravity = s.gravity}, {.theta = 1.5});
+    march(flow, time);
+    r.finest = flow.measured_profile();
     r.sizes.push_back(length / static_cast<double>(count));
     r.positions.push_back(front_position(r.finest, near));
     run.progress(static_cast<double>(count) / static_cast<double>(15 * s.n.front()));

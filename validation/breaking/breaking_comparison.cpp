@@ -15,17 +15,17 @@ constexpr double below_waves = -1;
 
 }  // namespace
 
-ComparedSurface compare(const PressureBreakingReference& reference, const gauss_particles::Flow& flow, double cell,
-                        double spacing) {
-  ComparedSurface result{.time = flow.time(), .limit = largest_distance(reference.wave, flow.time(), cell)};
-  const Polylines truth{reference.surface(flow.time())};
-  if (reference.has_jet(flow.time())) result.outline = water_outline(flow, spacing, below_waves);
-  result.distance =
-      polyline_distance(result.outline.empty() ? Polylines{marker_line(flow)} : result.outline, truth, forced_length);
-  return result;
+void compare(BreakingFrame& frame, const exact::PressureForcedWave& exact, const gauss_particles::Flow& flow,
+             double cell, double spacing) {
+  frame.limit = largest_distance(exact, frame.time, cell);
+  if (frame.time > exact.vertical_tangent_time().value_or(nan)) {
+    frame.outline = water_outline(flow, spacing, below_waves);
+  }
+  frame.distance = polyline_distance(frame.outline.empty() ? Polylines{marker_line(flow)} : frame.outline,
+                                     {exact_wave(exact, frame.time)}, forced_length);
 }
 
-void claim_potential_flow(const Claims<BreakingComparison>& all, const std::vector<double>& times, std::size_t steepest,
+void claim_potential_flow(const Claims<BreakingRuns>& all, const std::vector<double>& times, std::size_t steepest,
                           BreakingLattice finest, double speed) {
   const auto claims = all.from(cauchy);
   for (std::size_t frame = 0; frame < times.size(); ++frame) {
@@ -35,20 +35,20 @@ void claim_potential_flow(const Claims<BreakingComparison>& all, const std::vect
                     "thinner than a cell.",
                     times[frame]),
         "largest distance of the two surfaces [1/k]",
-        [frame](const BreakingComparison& c) -> Measurement {
-          const ComparedSurface& surface = c.finest().frames.at(frame);
+        [frame](const BreakingRuns& c) -> Measurement {
+          const BreakingFrame& surface = c.finest().frames.at(frame);
           return {.value = surface.distance.largest, .told = {.limit = surface.limit}};
         },
         near_surface(finest.cell));
   }
   claim_vertical_front(
-      claims, [](const BreakingComparison& c) { return c.finest().overturned - c.vertical_tangent; },
+      claims, [](const BreakingRuns& c) { return c.finest().overturned - c.vertical_tangent; },
       finest.cell / (2 * speed) + finest.tau);
   claims.check(
       "convergence",
       fmt::format("The surface at t = {:g} on cells half as wide is nearer to potential flow.", times.at(steepest)),
       "rms distance, finest grid over coarsest",
-      [steepest](const BreakingComparison& c) {
+      [steepest](const BreakingRuns& c) {
         return c.finest().frames.at(steepest).distance.rms / c.lattices.front().frames.at(steepest).distance.rms;
       },
       nearer_on_half_cells());
@@ -58,24 +58,24 @@ void claim_potential_flow(const Claims<BreakingComparison>& all, const std::vect
       "exact-work",
       "The work of the pressure agrees with its work on potential flow within (omega tau)^2/24 for the step and (k "
       "h)^3/24 for the splines.",
-      "work, relative difference", [](const BreakingComparison& c) { return c.finest().work / c.work - 1; },
+      "work, relative difference", [](const BreakingRuns& c) { return c.finest().work / c.exact_work - 1; },
       Bound{.limit = phase + interpolation,
             .reason =
                 "the phase lead (omega tau)^2/24 of the steps, and (k h)^3/24, the velocity error of cubic splines"});
 }
 
-void tabulate(evidence::Exhibit& exhibit, const BreakingComparison& comparison) {
+void tabulate(evidence::Exhibit& exhibit, const BreakingRuns& runs) {
   evidence::Table& table =
       add_table(exhibit, "potential-flow", "Distance from potential flow",
                 "Markers until the exact front is vertical, then the outline of the particles.", {"t [(g k)^(-1/2)]"});
-  for (const ComparedLattice& lattice : comparison.lattices) {
+  for (const BreakingRun& lattice : runs.lattices) {
     const std::string cells = fmt::format("{:.0f} cells", forced_length / lattice.cell);
     table.columns.emplace_back("rms, " + cells, "1/k");
     table.columns.emplace_back("largest, " + cells, "1/k");
   }
-  for (std::size_t frame = 0; frame < comparison.finest().frames.size(); ++frame) {
-    std::vector<Cell>& row = table.rows.emplace_back(1, comparison.finest().frames[frame].time);
-    for (const ComparedLattice& lattice : comparison.lattices) {
+  for (std::size_t frame = 0; frame < runs.finest().frames.size(); ++frame) {
+    std::vector<Cell>& row = table.rows.emplace_back(1, runs.finest().frames[frame].time);
+    for (const BreakingRun& lattice : runs.lattices) {
       row.emplace_back(lattice.frames.at(frame).distance.rms);
       row.emplace_back(lattice.frames.at(frame).distance.largest);
     }

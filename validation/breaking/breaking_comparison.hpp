@@ -28,41 +28,35 @@ inline constexpr double depth = std::numbers::pi;
 inline const std::string cauchy =
     "Longuet-Higgins & Cokelet, Proc. R. Soc. A 350 (1976) 1: potential flow, computed by Cauchy's integral";
 
-/// In units of 1/k, g and the density; the depth is pi.
-struct PressureBreakingReference {
-  exact::PressureForcedWave wave;
-
-  /// One wavelength of the surface.
-  [[nodiscard]] Polyline surface(double time) const {
-    auto profile = wave.profile(time, 1601);
-    return {std::move(profile.x), std::move(profile.y)};
-  }
-  [[nodiscard]] bool has_jet(double time) const { return time > vertical_tangent(); }
-  [[nodiscard]] double vertical_tangent() const { return wave.vertical_tangent_time().value_or(nan); }
-};
-
-/// One lattice at one time.
-struct ComparedSurface {
+/// The surface at one time, and potential flow where that is compared.
+struct BreakingFrame {
   double time = 0;
-  PolylineDistance distance;
-  double limit = 0;
-  Polylines outline;  ///< of the particles' water; none before the exact surface has a jet
+  double crest_x = 0;
+  Polyline markers, exact;         ///< of three wavelengths
+  Polylines outline = {};          ///< of the particles' water; none before the exact surface has a jet
+  PolylineDistance distance = {};  ///< of the two surfaces
+  double limit = 0;                ///< of that
 };
 
-/// One lattice at all frames.
-struct ComparedLattice {
+/// One lattice.
+struct BreakingRun {
   double cell = 0;
-  std::vector<ComparedSurface> frames;
-  double overturned = nan;  ///< when the line of markers first goes backwards
+  std::vector<BreakingFrame> frames, film;
+  double crest = nan;       ///< above the bottom, at the time `at`
+  double overturned = nan;  ///< first time at which the line of markers goes backwards; NaN: never
   double work = 0;          ///< of the pressure
+  double balance = 0;       ///< largest defect of energy, work and loss
+  double loss = 0;          ///< by the penalty
 };
 
-struct BreakingComparison {
-  std::vector<ComparedLattice> lattices;  ///< coarsest first
-  double vertical_tangent = 0;            ///< of the exact surface
-  double work = 0;                        ///< exact
+struct BreakingRuns {
+  std::vector<BreakingRun> lattices;  ///< coarsest first
+  double vertical_tangent = 0;        ///< of the exact surface
+  double exact_work = 0;
+  double overhang = nan;  ///< of potential flow, beside another start: see breaking_gauss.cpp
 
-  [[nodiscard]] const ComparedLattice& finest() const { return lattices.back(); }
+  [[nodiscard]] const BreakingRun& finest() const { return lattices.back(); }
+  [[nodiscard]] double wider_crest() const { return lattices[lattices.size() - 2].crest; }
 };
 
 struct BreakingLattice {
@@ -94,17 +88,18 @@ void claim_vertical_front(const Claims<Results>& claims, Late late, double limit
                       "after every step"});
 }
 
-ComparedSurface compare(const PressureBreakingReference& reference, const gauss_particles::Flow& flow, double cell,
-                        double spacing);
+/// Potential flow at the frame's time; the wavelength is 2 pi, in units of 1/k, g and the density.
+void compare(BreakingFrame& frame, const exact::PressureForcedWave& exact, const gauss_particles::Flow& flow,
+             double cell, double spacing);
 
 /// Claims of the finest lattice, and of the coarsest against it.
 /// @param times  of the frames;  @param steepest  the frame at which lattices are compared, before the front is
 /// vertical
 /// @param speed  of the wave before it is pushed
-void claim_potential_flow(const Claims<BreakingComparison>& claims, const std::vector<double>& times,
-                          std::size_t steepest, BreakingLattice finest, double speed);
+void claim_potential_flow(const Claims<BreakingRuns>& claims, const std::vector<double>& times, std::size_t steepest,
+                          BreakingLattice finest, double speed);
 
 /// Distances of all lattices at all frames.
-void tabulate(evidence::Exhibit& exhibit, const BreakingComparison& comparison);
+void tabulate(evidence::Exhibit& exhibit, const BreakingRuns& runs);
 
 }  // namespace seiche::validation::breaking

@@ -186,13 +186,6 @@ std::vector<Model> models_of(const Values& values) {
   return {standard, stress};
 }
 
-/// Two lattices at least, for the uncertainty of what differs between the models.
-std::vector<long> ladder_of(const Values& values) {
-  const long finest = values.integer("layers");
-  if (values.tier() != Tier::quick) return sph_ladder(values.tier(), finest);
-  return {std::lround(0.7 * static_cast<double>(finest)), finest};
-}
-
 /// What of a surface is above still water.
 Polylines above_still_water(const Polyline& surface) {
   Polylines pieces;
@@ -234,7 +227,11 @@ struct Results {
 
 Results compute(const Run& run) {
   const std::vector<Model> models = models_of(run);
-  const std::vector<long> ladder = ladder_of(run);
+  // Two lattices at least, for the uncertainty of what differs between the models.
+  const long layers = run.integer("layers");
+  const std::vector<long> ladder = run.tier() == Tier::quick
+                                       ? std::vector{std::lround(0.7 * static_cast<double>(layers)), layers}
+                                       : sph_ladder(run.tier(), layers);
   Results r{.cosine = exact::OverturningWave({.amplitude = height / 2,
                                               .wavelength = wavelength,
                                               .depth = depth,
@@ -255,24 +252,20 @@ Results compute(const Run& run) {
   return r;
 }
 
-void claim_model(const Claims<Runs>& claims, const Model& model) {
-  const auto on_finest = claims.last().at(&SphPlunged::resolution);
-  on_finest.check(
-      "plunges-" + model.id, fmt::format("The second wave behind the flap overturns ({}).", model.name), "it does",
-      [](const SphPlunged& run) { return !std::isnan(run.hangs_over); },
-      Qualitative{.detector = "the surface hangs over forward by two spacings before 1.46 T",
-                  .reason = "a wave as high as the water is deep is above the steepest permanent one"});
-  on_finest.check("contained-" + model.id,
-                  fmt::format("The number of particles behind the flap or through a wall is zero ({}).", model.name),
-                  "particles outside at the end", &SphPlunged::lost,
-                  Bound{.limit = 0, .reason = "walls are impermeable"});
-}
-
 void claims(const Values& values, const Claims<Results>& all) {
   const Claims<Results> claims = all.at([](const Results& r) { return r.runs.front().back().resolution(); });
   const std::vector<Model> models = models_of(values);
   for (std::size_t m = 0; m < models.size(); ++m) {
-    claim_model(claims.of(&Results::runs).entry(m), models[m]);
+    const auto on_finest = claims.of(&Results::runs).entry(m).last().at(&SphPlunged::resolution);
+    on_finest.check(
+        "plunges-" + models[m].id, fmt::format("The second wave behind the flap overturns ({}).", models[m].name),
+        "it does", [](const SphPlunged& run) { return !std::isnan(run.hangs_over); },
+        Qualitative{.detector = "the surface hangs over forward by two spacings before 1.46 T",
+                    .reason = "a wave as high as the water is deep is above the steepest permanent one"});
+    on_finest.check(
+        "contained-" + models[m].id,
+        fmt::format("The number of particles behind the flap or through a wall is zero ({}).", models[m].name),
+        "particles outside at the end", &SphPlunged::lost, Bound{.limit = 0, .reason = "walls are impermeable"});
   }
   const auto more = [](auto number) {
     return [number](const Results& r) {
@@ -366,13 +359,10 @@ void draw(evidence::Exhibit& exhibit, const std::vector<Model>& models, const Re
     }
   }
   for (const double phase : frames) {
-    draw_exact(figure.panel({.x = "x [L]",
-                             .y = "z [L]",
-                             .title = fmt::format("potential flow, {:.2f} T", phase - 1),
-                             .equal_aspect = true,
-                             .y_min = 0,
-                             .y_max = 0.4}),
-               (phase - 1) * period, 801);
+    const std::string title = fmt::format("potential flow, {:.2f} T", phase - 1);
+    draw_exact(
+        figure.panel({.x = "x [L]", .y = "z [L]", .title = title, .equal_aspect = true, .y_min = 0, .y_max = 0.4}),
+        (phase - 1) * period, 801);
   }
   auto& panel = add_panel(exhibit, "jet", "Path of the jet tip", "Until impact on the water ahead.",
                           {.x = "x/L", .y = "z/L", .equal_aspect = true});

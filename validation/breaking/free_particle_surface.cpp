@@ -80,6 +80,11 @@ gauss_particles::Flow ParticleWave::start(const mechanics::VelocityAt& velocity,
           std::move(forcing)};
 }
 
+Polyline exact_wave(const exact::overturning::MovingSurface& exact, double time) {
+  auto profile = exact.profile(time, 1601);
+  return {std::move(profile.x), std::move(profile.y)};
+}
+
 Polyline line_through(const std::vector<Point>& points) {
   return {each(points, &Point::x), each(points, &Point::y)};
 }
@@ -128,8 +133,7 @@ double largest_distance(const exact::overturning::MovingSurface& exact, double t
   if (time <= exact.vertical_tangent_time().value_or(exact.end_time())) {
     return std::min(exact.largest_curvature(time) * cell * cell / 8, cell / 2);
   }
-  auto profile = exact.profile(time, 1601);
-  return cell / 2 + thin_part({std::move(profile.x), std::move(profile.y)}, cell);
+  return cell / 2 + thin_part(exact_wave(exact, time), cell);
 }
 
 }  // namespace seiche::validation

@@ -24,6 +24,8 @@ struct ParticleWave {
                                             gauss_particles::Forcing forcing = {}) const;
 };
 
+/// One wavelength of an exact surface.
+Polyline exact_wave(const exact::overturning::MovingSurface& exact, double time);
 /// The points as a line.
 Polyline line_through(const std::vector<Point>& points);
 /// The line of the markers and, once more, its first one a wavelength on.

@@ -263,15 +263,7 @@ void draw(const Results& r, evidence::Exhibit& exhibit) {
   for (std::size_t i = 1; i < r.times.size(); ++i) {
     const Polylines truth = exact_surface(r.exact, r.times[i]);
     const Polyline& surface = finest.surfaces[i].front();
-    auto& panel = profiles.panel({.x = "x [m]",
-                                  .y = "z [m]",
-                                  .title = fmt::format("t = {:.3f} s", r.times[i]),
-                                  .equal_aspect = true,
-                                  .x_min = surface.x.front(),
-                                  .x_max = surface.x.back()});
-    for (const double image : {-wavelength, 0.0, wavelength}) {
-      panel.line("potential flow", moved(truth.front(), image).x, truth.front().y, Role::exact);
-    }
+    auto& panel = draw_beside_images(profiles, fmt::format("t = {:.3f} s", r.times[i]), truth.front(), surface);
     panel.line(fmt::format("SPH, L/{:.0f}", wavelength / coarser.spacing), coarser.surfaces[i].front().x,
                coarser.surfaces[i].front().y, Role::peer);
     panel.line(fmt::format("SPH, L/{:.0f}", wavelength / finest.spacing), surface.x, surface.y, Role::computed);

@@ -189,16 +189,8 @@ void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit
     table.rows.push_back({shapes.at(k).name, turn.times[0] / period, turn.exact_overhang / period,
                           turn.run.hangs_over / period, turn.distances[0].rms / dx, turn.distances[1].rms / dx});
     const Polyline& surface = turn.run.surfaces.at(1).front();
-    auto& panel = figure.panel({.x = "x [m]",
-                                .y = "z [m]",
-                                .title = shapes.at(k).name,
-                                .equal_aspect = true,
-                                .x_min = surface.x.front(),
-                                .x_max = surface.x.back()});
-    for (const double image : {-1.0, 0.0, 1.0}) {
-      panel.line("potential flow", moved(turn.exact.front(), image).x, turn.exact.front().y, Role::exact);
-    }
-    panel.line("SPH", surface.x, surface.y, Role::computed);
+    draw_beside_images(figure, shapes.at(k).name, turn.exact.front(), surface)
+        .line("SPH", surface.x, surface.y, Role::computed);
   }
   if (r.stress.times.empty()) return;
   for (const auto& [name, run] : {std::pair{"standard", &r.turns.front().run}, std::pair{"laminar", &r.laminar},

@@ -165,6 +165,18 @@ Polylines exact_surface(const exact::OverturningWave& wave, double time, std::si
   return {{std::move(profile.x), std::move(profile.y)}};
 }
 
+evidence::Panel& draw_beside_images(evidence::Figure& figure, const std::string& title, const Polyline& exact,
+                                    const Polyline& surface) {
+  evidence::Axes axes{.x = "x [m]", .y = "z [m]", .title = title, .equal_aspect = true};
+  axes.x_min = surface.x.front();
+  axes.x_max = surface.x.back();
+  auto& panel = figure.panel(axes);
+  for (const double image : {-1.0, 0.0, 1.0}) {
+    panel.line("potential flow", moved(exact, image).x, exact.y, evidence::Role::exact);
+  }
+  return panel;
+}
+
 double exact_overhang_time(const exact::OverturningWave& wave, double overhang, double end) {
   const auto hangs = [&](double time) {
     auto profile = wave.profile(time, 2001);

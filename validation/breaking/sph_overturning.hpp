@@ -77,6 +77,9 @@ void exchange(Tape& tape, Polyline& line);
 Polylines exact_surface(const exact::OverturningWave& wave, double time, std::size_t points = 1601);
 /// A curve that is farther along x.
 Polyline moved(Polyline curve, double by);
+/// A panel as wide as the surface, 1 m, with the exact one and its images a wavelength to either side.
+evidence::Panel& draw_beside_images(evidence::Figure& figure, const std::string& title, const Polyline& exact,
+                                    const Polyline& surface);
 /// First time at which the exact surface hangs over by as much [s]; NaN if it does not before `end`.
 double exact_overhang_time(const exact::OverturningWave& wave, double overhang, double end);
 

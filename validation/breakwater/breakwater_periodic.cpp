@@ -54,36 +54,19 @@ using Complex = std::complex<double>;
 // wavenumber, with Havelock's height per stroke. Waves that decay with the distance from the paddle are left out.
 //
 // When not to use it: within two depths of the paddle; distances that a part of the motion has not left behind.
-class TankStart {
- public:
-  explicit TankStart(const IncidentWaves& waves);
-  /// Amplitude at a distance from the piston over that of the settled wave, its phase taken out: 1 when settled, 0
-  /// before anything arrives.
-  [[nodiscard]] Complex settled_share(double distance) const {
-    Complex sum = 0;
-    for (const Part& part : parts_) {
-      const Complex travel = std::polar(1.0, part.wavenumber * distance);
-      sum += part.forward * std::conj(travel) + part.backward * travel;
-    }
-    return sum * std::polar(1.0, -wavenumber_ * distance);
-  }
-
- private:
-  struct Part {
-    double wavenumber;
-    Complex forward, backward;  // weights of the wave and of its conjugate
-  };
-
-  double wavenumber_;
-  std::vector<Part> parts_;
-};
-
-TankStart::TankStart(const IncidentWaves& waves) {
+//
+// The share is the amplitude at a distance from the piston over that of the settled wave, its phase taken out: 1 when
+// settled, 0 before anything arrives.
+std::function<Complex(double distance)> settled_share(const IncidentWaves& waves) {
   const exact::AiryDispersion airy(1, 1);
   const auto height = [](double omega) {
     return exact::Wavemaker(exact::Paddle::piston, {1, 1}, exact::AngularFrequency{omega}).height_per_stroke();
   };
-  wavenumber_ = airy.wavenumber(waves.omega);
+  struct Part {
+    double wavenumber;
+    Complex forward, backward;  // weights of the wave and of its conjugate
+  };
+  std::vector<Part> parts;
   // A sum over frequencies repeats itself after 2 pi/spacing: four runs, in which shorter waves do not come so far.
   const double spacing = 2 * pi / (4 * waves.end);
   constexpr double fastest = 4;
@@ -107,8 +90,16 @@ TankStart::TankStart(const IncidentWaves& waves) {
     }
     // The elevation, the sum of Re share exp(i (omega t - k x)), is ahead of the piston's place by a quarter period.
     const Complex share = Complex(0, 1) * motion * (spacing / pi) * height(omega) / settled;
-    parts_.push_back({airy.wavenumber(omega), share * opposite / weights, std::conj(share) * same / weights});
+    parts.push_back({airy.wavenumber(omega), share * opposite / weights, std::conj(share) * same / weights});
   }
+  return [parts, wavenumber = airy.wavenumber(waves.omega)](double distance) {
+    Complex sum = 0;
+    for (const Part& part : parts) {
+      const Complex travel = std::polar(1.0, part.wavenumber * distance);
+      sum += part.forward * std::conj(travel) + part.backward * travel;
+    }
+    return sum * std::polar(1.0, -wavenumber * distance);
+  };
 }
 
 const std::string source = "Frank (1994), section 2.3";
@@ -160,15 +151,16 @@ struct Periodic {
   [[nodiscard]] double phase_limit(const SetUp& s) const {
     return limit(s) * larger_force() / std::min(std::abs(small.load.force.front), std::abs(small.load.force.rear));
   }
-  /// From the force of small waves, of either.
-  [[nodiscard]] std::array<std::complex<double>, 2> differences() const {
-    return {settled.front - small.sense() * small.load.force.front,
-            settled.rear - small.sense() * small.load.force.rear};
+  /// Largest difference of a force from that of small waves, over the larger one.
+  [[nodiscard]] double difference() const {
+    return worst(std::array{std::abs(settled.front - small.sense() * small.load.force.front),
+                            std::abs(settled.rear - small.sense() * small.load.force.rear)}) /
+           larger_force();
   }
-  /// Phase from that of small waves, of either.
-  [[nodiscard]] std::array<double, 2> phases() const {
-    return {std::arg(settled.front * small.sense() * small.load.force.front),
-            std::arg(settled.rear * small.sense() * small.load.force.rear)};
+  /// Largest phase from that of small waves.
+  [[nodiscard]] double phase() const {
+    return worst(std::array{std::arg(settled.front * small.sense() * small.load.force.front),
+                            std::arg(settled.rear * small.sense() * small.load.force.rear)});
   }
   /// |total| over the force on a plain wall.
   [[nodiscard]] double relative() const { return std::abs(settled.total()) / small.load.plain_wall; }
@@ -181,10 +173,10 @@ template <class Value, class Limit>
 Measurement farthest(const Results& r, Value value, Limit limit) {
   Largest share;
   for (std::size_t n = 0; n < r.size(); ++n) {
-    share.add(value(r[n]) / limit(r[n]), static_cast<double>(n));
+    share.add(std::invoke(value, r[n]) / limit(r[n]), static_cast<double>(n));
   }
   const Periodic& one = r[static_cast<std::size_t>(share.where())];
-  return {.value = value(one),
+  return {.value = std::invoke(value, one),
           .where = fmt::format("waves of L/h = {:.3g}", one.small.load.wavelength),
           .told = {.limit = limit(one)}};
 }
@@ -195,31 +187,21 @@ const std::string reason =
     "berm within two periods, so that (height/0.02)^2 of that drift accumulates every two periods";
 
 void claim_loads(const Claims<Results>& claims, const SetUp& s) {
+  const auto limit = [s](const Periodic& one) { return one.limit(s); };
+  const auto phase_limit = [s](const Periodic& one) { return one.phase_limit(s); };
   claims.check(
       "forces",
       "The forces of periodic waves on front and rear agree with small standing waves within the unsettled start and "
       "the mesh drift, 2 % at most.",
       "largest difference, amplitude and phase, over the larger force",
-      [s](const Results& r) {
-        return farthest(
-            r,
-            [](const Periodic& one) {
-              return worst(each(one.differences(), [](const auto& difference) { return std::abs(difference); })) /
-                     one.larger_force();
-            },
-            [&](const Periodic& one) { return one.limit(s); });
-      },
+      [limit](const Results& r) { return farthest(r, &Periodic::difference, limit); },
       Bound{.limit = Amount::told_by_run(largest_limit), .reason = reason});
   claims.check(
       "phases",
       "The phases of the forces on front and rear agree with small standing waves within start and mesh drift, 0.06 "
       "rad at most.",
       "largest difference of the phase from small standing waves [rad]",
-      [s](const Results& r) {
-        return farthest(
-            r, [](const Periodic& one) { return worst(one.phases()); },
-            [&](const Periodic& one) { return one.phase_limit(s); });
-      },
+      [phase_limit](const Results& r) { return farthest(r, &Periodic::phase, phase_limit); },
       Bound{.limit = Amount::told_by_run(3 * largest_limit), .reason = reason + "; of the smaller force"});
   claims.from("Havelock (1929)")
       .check(
@@ -288,7 +270,7 @@ IncidentWaves incident(const SetUp& s, const BasinWave& small) {
 /// Share of the wave that is missing, or too much, by the linear theory of the start: in what comes in, in what comes
 /// back, and in what has come around.
 double unsettled(const SetUp& s, const IncidentWaves& waves, const Antinode& antinode) {
-  const TankStart start(waves);
+  const auto share = settled_share(waves);
   const exact::AiryDispersion deep(1, 1);
   const exact::AiryDispersion shallow(1, 1 - s.berm.rise);
   const double slower =
@@ -298,8 +280,7 @@ double unsettled(const SetUp& s, const IncidentWaves& waves, const Antinode& ant
   // As far in deep water as the berm takes time.
   const double back = length - s.berm.width + 2 * slower * s.berm.width + (-antinode.place - s.berm.width);
   const double around = 2 * (length - s.berm.width) + there;
-  return std::abs(start.settled_share(there) - 1.0) + std::abs(start.settled_share(back) - 1.0) +
-         std::abs(start.settled_share(around));
+  return std::abs(share(there) - 1.0) + std::abs(share(back) - 1.0) + std::abs(share(around));
 }
 
 Results compute(const Run& run) {
@@ -362,10 +343,8 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
     const TankHistory& history = one->history;
     BermHistory forces{history.time, each(history.front, relative), each(history.rear, relative)};
     std::ranges::transform(forces.front, forces.rear, std::back_inserter(forces.total), std::plus{});
-    draw_forces(figure.panel({.x = "t [sqrt(depth/g)]",
-                              .y = "force/height [rho g depth]",
-                              .title = fmt::format("waves of L/h = {:.3g}", one->small.load.wavelength)}),
-                forces);
+    const std::string title = fmt::format("waves of L/h = {:.3g}", one->small.load.wavelength);
+    draw_forces(figure.panel({.x = "t [sqrt(depth/g)]", .y = "force/height [rho g depth]", .title = title}), forces);
   }
 }
 

@@ -118,18 +118,18 @@ free_lagrangian::Mesh cells_at_wall(long columns) {
 constexpr double stabilisation = 0.01;  ///< of the pressures of cells
 
 Racer start_dirichlet(const ColumnFront& measured, long columns) {
-  using namespace dirichlet_mesh;
+  using dirichlet_mesh::Flow;
   return racer_of(std::make_shared<Flow>(cells_at_wall(columns), free_lagrangian::VelocityAt{},
-                                         Settings{.stabilisation = stabilisation}),
+                                         dirichlet_mesh::Settings{.stabilisation = stabilisation}),
                   measured, courant / static_cast<double>(columns), farthest_node);
 }
 
 /// Nodes inside go to the middle of their cells; those of the surface are particles.
 Racer start_variable_mass(const ColumnFront& measured, long columns) {
-  using namespace variable_mass;
-  return racer_of(std::make_shared<Flow>(cells_at_wall(columns), Start{},
-                                         Control{.kind = ControlKind::centroid, .rate = 1, .surface_rate = 0},
-                                         Settings{.stabilisation = stabilisation}),
+  using variable_mass::Flow;
+  const variable_mass::Control control{.kind = variable_mass::ControlKind::centroid, .rate = 1, .surface_rate = 0};
+  return racer_of(std::make_shared<Flow>(cells_at_wall(columns), variable_mass::Start{}, control,
+                                         variable_mass::Settings{.stabilisation = stabilisation}),
                   measured, courant / static_cast<double>(columns), [](const Flow& f) { return largest(f.nodes().x); });
 }
 

@@ -55,17 +55,13 @@ SetUp set_up(const Values& values) {
 
 void draw_sketches(evidence::Exhibit& exhibit, const FlowProblem& problem, const StationaryJump& jump) {
   const ProfileCurve curve = exact_curve(problem, 0, length, 0);
+  const std::string title =
+      fmt::format("u = {:.2f} m/s left, {:.2f} m/s right", jump.upstream().velocity, jump.downstream().velocity);
+  evidence::Axes axes{.x = "x [m]", .y = "elevation [m]", .title = title, .x_min = 80, .x_max = length};
+  axes.y_min = -0.1;
+  axes.y_max = 3;
   auto& panel = add_panel(exhibit, "setup", "Stationary hydraulic jump: initial state",
-                          "Water flows from left to right through a stationary jump.",
-                          {.x = "x [m]",
-                           .y = "elevation [m]",
-                           .title = fmt::format("u = {:.2f} m/s left, {:.2f} m/s right", jump.upstream().velocity,
-                                                jump.downstream().velocity),
-                           .x_min = 80,
-                           .x_max = length,
-                           .y_min = -0.1,
-                           .y_max = 3},
-                          {"bzz-fig-16"});
+                          "Water flows from left to right through a stationary jump.", axes, {"bzz-fig-16"});
   panel.fill("water", curve.x, curve.depth, Role::water);
   draw_exact(exhibit.figure("exact", "The exact jump", "Depth and velocity, the same at all times.", {"bzz-fig-17"}),
              problem, 0);

@@ -18,7 +18,7 @@ using exact::MachReflection;
 
 /// "a = 0.3: h = 0.5, tau = 0.25, t = 318 .. 720".
 std::string name_of(const ReflectionSeries& series) {
-  const std::vector<double> ends = series.all([](const Reflection& r) { return r.time.back(); });
+  const std::vector<double> ends = each(series.reflections, [](const Reflection& r) { return r.time.back(); });
   return fmt::format("a = {:g}: h = {:g}, tau = {:g}, t = {:.0f} .. {:.0f}", series.amplitude, series.spacing,
                      series.reflections.front().run.tau(), smallest(ends), largest(ends));
 }
@@ -33,7 +33,7 @@ const std::vector<Axis> axes{{"psi_i/sqrt(3 a_i)", &ReflectionRun::kappa},
                              {"tan(psi_i)/(sqrt(3 a_i) cos(psi_i))", &ReflectionRun::kappa_finite_angle}};
 
 std::vector<double> kappas(const ReflectionSeries& series, Kappa kappa) {
-  return series.all([kappa](const Reflection& r) { return (r.run.*kappa)(); });
+  return each(series.reflections, [kappa](const Reflection& r) { return (r.run.*kappa)(); });
 }
 
 /// Both branches, with the cusp of the upper one.
@@ -79,8 +79,8 @@ void draw_amplitudes(evidence::Exhibit& exhibit, const std::vector<ReflectionSer
     theory_curve(panel, theory, *frame.x_max);
     for (const ReflectionSeries& one : series) {
       panel.points(name_of(one), kappas(one, axis.kappa),
-                   one.all([&](const Reflection& r) { return (r.*ratio)().value; }), Role::computed,
-                   one.all([&](const Reflection& r) { return (r.*ratio)().half_width(); }));
+                   each(one.reflections, [&](const Reflection& r) { return (r.*ratio)().value; }), Role::computed,
+                   each(one.reflections, [&](const Reflection& r) { return (r.*ratio)().half_width(); }));
     }
     if (ratio == &Reflection::wall_ratio) limits(panel, series, axis.kappa);
     panel.line("Frank (1994)", std::vector{0.1, *frame.x_max}, std::vector{frank, frank}, Role::guide);
@@ -161,8 +161,9 @@ void draw_reflected_angles(evidence::Exhibit& exhibit, const std::vector<Reflect
                           "the transition; in regular reflection both angles are equal.",
                           {.x = "psi_i [deg]", .y = "psi_r [deg]", .y_min = 15, .y_max = 60});
   for (const ReflectionSeries& one : series) {
-    panel.points(name_of(one), one.angles, one.all([](const Reflection& r) { return r.reflected_angle().value; }),
-                 Role::computed, one.all([](const Reflection& r) { return r.reflected_angle().half_width(); }));
+    panel.points(name_of(one), one.angles,
+                 each(one.reflections, [](const Reflection& r) { return r.reflected_angle().value; }), Role::computed,
+                 each(one.reflections, [](const Reflection& r) { return r.reflected_angle().half_width(); }));
   }
   for (const ReflectionSeries& one : series) {
     const double edge = degrees(std::sqrt(3 * one.amplitude));
@@ -178,9 +179,8 @@ void draw_growth(evidence::Exhibit& exhibit, const std::vector<ReflectionSeries>
                                 "waves. The growth is slowest near resonance.");
   for (const ReflectionSeries& one : series) {
     const double slow = std::pow(one.amplitude, 1.5);
-    auto& panel = figure.panel({.x = "a_i^(3/2) t [sqrt(depth/g)]",
-                                .y = "a_w/a_i",
-                                .title = fmt::format("a = {:g}, h = {:g}", one.amplitude, one.spacing)});
+    const std::string title = fmt::format("a = {:g}, h = {:g}", one.amplitude, one.spacing);
+    auto& panel = figure.panel({.x = "a_i^(3/2) t [sqrt(depth/g)]", .y = "a_w/a_i", .title = title});
     const std::size_t stride = std::max<std::size_t>(one.angles.size() / 5, 1);
     for (std::size_t k = 0; k < one.angles.size(); ++k) {
       const Reflection& r = one.reflections[k];

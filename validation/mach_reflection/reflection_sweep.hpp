@@ -22,11 +22,6 @@ struct ReflectionSeries {
   std::vector<double> angles;                ///< [deg]
   std::vector<Reflection> reflections = {};  ///< of the angles
 
-  /// What is wanted of every reflection.
-  template <class Get>
-  [[nodiscard]] std::vector<double> all(Get get) const {
-    return each(reflections, get);
-  }
   /// The one whose wall amplitude, over the incident, is highest at the end.
   /// Throws std::out_of_range without reflections.
   [[nodiscard]] const Reflection& highest() const;
