@@ -18,6 +18,7 @@ force, last for nearly five periods. Variable-mass particles complete. Where the
 back, the energy of the motion passes into short waves after a few periods, on finer meshes too. Nodes of constant $x$,
 here on twice as many rows, exchange more water per step, and lose about 1 % of the energy in ten periods.
 */
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -85,8 +86,10 @@ struct Wave {
 };
 
 /// Kinetic energy outside the linear wave's field.
-template <class Model>
-double outside(const Model& model, const mechanics::State& state) {
+template <class Flow>
+double outside(const Flow& flow) {
+  const auto& model = flow.model();
+  const mechanics::State& state = flow.state();
   const std::size_t n = state.q.size() / 2;
   std::vector<double> field(2 * n);
   for (std::size_t i = 0; i < n; ++i) {
@@ -116,19 +119,19 @@ double mode(const std::vector<Point>& surface) {
 }
 
 /// Follows a flow for so many periods, or until it breaks down.
-template <class Flow, class Model, class Surface>
-Wave follow(Flow& flow, const Model& model, const Surface& surface, double tau, double periods) {
-  const double kinetic = model.kinetic_energy(flow.state().q, flow.state().u);
+template <class Flow, class Surface>
+Wave follow(Flow&& flow, const Surface& surface, double tau, double periods) {
+  const auto& model = flow.model();
+  const auto kinetic_energy = [&] { return model.kinetic_energy(flow.state().q, flow.state().u); };
+  const double kinetic = kinetic_energy();
   const double energy = kinetic + model.potential_energy(flow.state().q);
   Wave wave;
   const auto look = [&] {
     wave.time.push_back(flow.time());
     wave.amplitude.push_back(mode(surface(flow)));
-    wave.noise.push_back(outside(model, flow.state()) / kinetic);
+    wave.noise.push_back(outside(flow) / kinetic);
     wave.lasted = flow.time() / period();
-    wave.lost =
-        (energy - model.kinetic_energy(flow.state().q, flow.state().u) - model.potential_energy(flow.state().q)) /
-        kinetic;
+    wave.lost = (energy - kinetic_energy() - model.potential_energy(flow.state().q)) / kinetic;
   };
   look();
   try {
@@ -156,28 +159,24 @@ Wave run_wave(const Kind& kind, double amplitude, long rows, double tau, double 
   };
   const int columns = static_cast<int>(length) * static_cast<int>(rows);
   if (kind.model == Kind::quadrilaterals) {
-    lagrangian_mesh_2d::Flow flow(
-        lagrangian_mesh_2d::layer_mesh(
-            {.end = length, .columns = static_cast<std::size_t>(columns), .rows = static_cast<std::size_t>(rows)}),
-        start);
-    const auto surface = [](const lagrangian_mesh_2d::Flow& f) { return joined({f.surface_x(), f.surface_y()}); };
-    return follow(flow, flow.model(), surface, tau, periods);
+    const auto surface = [](const auto& flow) { return joined({flow.surface_x(), flow.surface_y()}); };
+    return follow(lagrangian_mesh_2d::Flow(lagrangian_mesh_2d::layer_mesh({.end = length,
+                                                                           .columns = static_cast<std::size_t>(columns),
+                                                                           .rows = static_cast<std::size_t>(rows)}),
+                                           start),
+                  surface, tau, periods);
   }
   const free_lagrangian::Mesh rest =
       free_lagrangian::layer_mesh({.end = length, .columns = columns, .rows = static_cast<int>(rows)});
   const variable_mass::Surface top(rest);
+  const auto surface = [&](const auto& flow) { return chosen(top.nodes(), {flow.x(), flow.y()}); };
   if (kind.model == Kind::dirichlet) {
-    dirichlet_mesh::Flow flow(rest, start, {.stabilisation = kind.stabilisation}, drift_feedback);
-    return follow(
-        flow, flow.model(),
-        [&](const dirichlet_mesh::Flow& f) {
-          return chosen(top.nodes(), {f.x(), f.y()});
-        },
-        tau, periods);
+    return follow(dirichlet_mesh::Flow(rest, start, {.stabilisation = kind.stabilisation}, drift_feedback), surface,
+                  tau, periods);
   }
-  variable_mass::Flow flow(rest, {.velocity = start}, control, {.stabilisation = kind.stabilisation}, drift_feedback);
   return follow(
-      flow, flow.water(), [&](const variable_mass::Flow& f) { return chosen(top.nodes(), f.nodes()); }, tau, periods);
+      variable_mass::Flow(rest, {.velocity = start}, control, {.stabilisation = kind.stabilisation}, drift_feedback),
+      surface, tau, periods);
 }
 
 /// A model on finer meshes: errors of the period, and noise.
@@ -185,7 +184,6 @@ struct Results {
   Refinement period = {};  ///< |T/T_0 - 1|, a quantity for each kind
   Refinement noise = {};   ///< largest
   std::vector<Wave> life = {};
-  double periods = 0;
 
   [[nodiscard]] double noise_ratio(std::size_t kind) const {
     return noise.finest(kind) / noise.on(std::lround(noise.n().back() / 2), kind);
@@ -194,9 +192,7 @@ struct Results {
 
 std::vector<long> meshes(const Values& values) {
   std::vector<long> rows;
-  for (const long n : ladder) {
-    if (n <= values.integer("ny")) rows.push_back(n);
-  }
+  std::ranges::copy_if(ladder, std::back_inserter(rows), [&](long n) { return n <= values.integer("ny"); });
   return rows;
 }
 
@@ -237,8 +233,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
   study("period").claim_orders(
       claims.of(&Results::period)
           .only_if(rows.size() >= 6, "on fewer meshes the scatter of errors leaves the order undetermined: ny = 24"));
-  const std::string finest = fmt::format("{} rows, a = {:g}", rows.back(), small_amplitude);
-  claims.at(finest)
+  claims.at(fmt::format("{} rows, a = {:g}", rows.back(), small_amplitude))
       .from("Frank (1994), 5.2, in words")
       .check(
           "noise",
@@ -328,7 +323,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
 }
 
 Results compute(const Run& run) {
-  Results r{.periods = run.real("periods")};
+  Results r;
   const variable_mass::Control control{variable_mass::control_named(run.text("control")), run.real("rate"),
                                        run.real("surface_rate")};
   const std::vector<long> rows = meshes(run);
@@ -350,7 +345,7 @@ Results compute(const Run& run) {
     variable_mass::Control own = control;
     if (i == of_fixed) own.kind = variable_mass::ControlKind::fixed_x;
     const double tau = courant_of_life / static_cast<double>(rows_of(i));
-    r.life.push_back(run_wave(all[i], run.real("amplitude"), rows_of(i), tau, r.periods, own,
+    r.life.push_back(run_wave(all[i], run.real("amplitude"), rows_of(i), tau, run.real("periods"), own,
                               all[i].model == Kind::variable ? 0.2 : 0));
   }
   return r;
