@@ -50,6 +50,12 @@ using exact::SolitonFission;
 // The exact solitary wave in a channel of particles of variable mass, and what is read off on its way.
 // Depth, gravity and density are 1.
 
+const std::string source = "inverse scattering (Madsen & Mei 1969) after Lamb's step; model: Frank (1994), section 5.3";
+constexpr std::size_t shown = 3;  // crests
+constexpr double apart = 2;       // a crest is the highest place so far around it, for ripples are not waves
+constexpr double smooth = 2;      // half of what the crest of the reflected wave, some six long, is read from
+constexpr double interval = 2;    // between the surfaces that are kept
+
 /// The surface at one instant, in ascending x.
 struct SurfaceLine {
   double time = 0;
@@ -57,11 +63,9 @@ struct SurfaceLine {
 
   /// Highest crest of a part of it; a height of NaN where there is none.
   [[nodiscard]] CurveCrest highest(double from, double to) const {
-    CurveCrest top{nan, nan};
-    for (const CurveCrest& one : crests(-std::numeric_limits<double>::infinity(), from, to)) {
-      if (!(one.height <= top.height)) top = one;
-    }
-    return top;
+    const std::vector<CurveCrest> all = crests(-std::numeric_limits<double>::infinity(), from, to);
+    const auto top = std::ranges::max_element(all, {}, &CurveCrest::height);
+    return top == all.end() ? CurveCrest{nan, nan} : *top;
   }
   /// Crests above a threshold of a part of it: all, and those that are the highest place within a distance.
   [[nodiscard]] std::vector<CurveCrest> crests(double threshold, double from, double to) const {
@@ -114,7 +118,7 @@ struct SolitaryRun {
 using variable_mass::Flow;
 
 /// Surface and velocities of the wave with its crest at a place.
-variable_mass::Start solitary_start(const exact::SolitaryWave& wave, double crest) {
+variable_mass::Start solitary_start(const SolitaryWave& wave, double crest) {
   const auto elevation = [&wave, crest](double x) { return wave.elevation(x - crest); };
   return {.elevation = elevation, .velocity = [&wave, crest, elevation](Point place) {
             // A surface node may be above the exact surface by its rounding.
@@ -135,9 +139,8 @@ SurfaceLine surface_line(const Flow& flow) {
 }
 
 /// @param rest      the mesh of the flow under a flat surface, from which potential energies count
-/// @param interval  between the surfaces that are kept
 SolitaryRun follow_solitary(Flow& flow, const free_lagrangian::Mesh& rest, long rows, double time, double tau,
-                            double interval, const std::function<void(double)>& progress) {
+                            const std::function<void(double)>& progress) {
   SolitaryRun run{.rows = rows};
   const double still = free_lagrangian::potential_energy(rest.places(), rest.outline, flow.water().weight());
   const double kinetic = flow.kinetic_energy();
@@ -159,7 +162,7 @@ SolitaryRun follow_solitary(Flow& flow, const free_lagrangian::Mesh& rest, long 
       masses.add(flow.water().mass() - mass);
     });
     keep();
-    if (progress) progress(static_cast<double>(part) / static_cast<double>(parts));
+    progress(static_cast<double>(part) / static_cast<double>(parts));
   }
   run.energy_defect = std::abs(energies.value());
   run.mass_defect = std::abs(masses.value());
@@ -167,19 +170,10 @@ SolitaryRun follow_solitary(Flow& flow, const free_lagrangian::Mesh& rest, long 
   return run;
 }
 
-const std::string source = "inverse scattering (Madsen & Mei 1969) after Lamb's step; model: Frank (1994), section 5.3";
-constexpr std::array ladder{4L, 6L, 8L, 12L};
-constexpr std::size_t shown = 3;  // crests
-constexpr double apart = 2;       // a crest is the highest place so far around it, for ripples are not waves
-constexpr double smooth = 2;      // half of what the crest of the reflected wave, some six long, is read from
-constexpr double interval = 2;    // between the surfaces that are kept
-
-/// Rows: those of the ladder that are coarser than asked for, and these.
+/// Rows: those of a ladder that are coarser than asked for, and these.
 std::vector<long> meshes(const Values& values) {
-  std::vector<long> rows;
-  for (const long n : ladder) {
-    if (n < values.integer("ny")) rows.push_back(n);
-  }
+  std::vector<long> rows{4, 6, 8, 12};
+  std::erase_if(rows, [&](long n) { return n >= values.integer("ny"); });
   rows.push_back(values.integer("ny"));
   return rows;
 }
@@ -222,7 +216,7 @@ Passage pass(const Run& run, const SolitaryWave& wave, long rows, const std::fun
                             .rate = run.real("rate"),
                             .surface_rate = run.real("surface_rate")},
                            {.stabilisation = run.real("stabilisation")});
-  Passage p{.run = follow_solitary(flow, rest, rows, run.real("time"), step_length(run, rows), interval, progress)};
+  Passage p{.run = follow_solitary(flow, rest, rows, run.real("time"), step_length(run, rows), progress)};
   const SurfaceLine& last = p.run.last();
   const CurveCrest first = last.highest(step, last.x.back());
   // Behind the waves that parted comes what was reflected twice.
@@ -332,9 +326,8 @@ Results compute(const Run& run) {
             .step = run.real("step")};
   const std::vector<long> rows = meshes(run);
   const auto cost = [](long n) { return std::pow(static_cast<double>(n), 3); };
+  const double whole = over<Mean>(rows, cost).sum();
   double done = 0;
-  double whole = 0;
-  for (const long n : rows) whole += cost(n);
   for (const long n : rows) {
     r.passages.push_back(pass(run, r.wave, n, [&](double part) { run.progress((done + part * cost(n)) / whole); }));
     done += cost(n);
@@ -357,10 +350,9 @@ void draw_way(const Results& r, evidence::Exhibit& exhibit) {
   auto& profile = figure.panel({.x = "x [depth]", .y = "elevation [depth]", .x_min = r.step - 4});
   const SurfaceLine& last = r.own().run.last();
   profile.line("computed", last.x, last.y);
-  for (std::size_t n = 1;
-       n <= std::min<std::size_t>(r.own().peaks.size(), static_cast<std::size_t>(r.theory.solitons())); ++n) {
-    const double place = r.own().peaks[n - 1].place;
-    const double height = r.wave.amplitude() * r.theory.amplitude(static_cast<int>(n));
+  for (int n = 1; n <= std::min<int>(static_cast<int>(r.own().peaks.size()), r.theory.solitons()); ++n) {
+    const double place = r.own().peaks[static_cast<std::size_t>(n - 1)].place;
+    const double height = r.wave.amplitude() * r.theory.amplitude(n);
     profile.line(n == 1 ? "inverse scattering" : "", std::vector{place, place}, std::vector{0.0, height}, Role::exact);
   }
   profile.vertical("", std::vector{r.step}, Role::guide);
