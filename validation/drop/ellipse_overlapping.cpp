@@ -166,16 +166,15 @@ std::vector<int> lattices_of(const SetUp& s) {
   return chosen;
 }
 
-void claims(const Values& values, const Claims<Results>& everything) {
+void claims(const Values& values, const Claims<Results>& all) {
   const SetUp s = set_up(values);
-  const Claims<Results> all = everything.at(fmt::format("h = {:g}, tau = {:g}", s.spacing, s.tau));
   const bool published = values.as_published("frank-overlapping");
-  const std::string otherwise = "volumes of another width agree qualitatively only";
   const Claims<Results> claims =
-      all.only_if(
-             s.gradient.determinant() < 0,
-             "the surface of a drop that rotates faster than it is strained is unstable, more so at finer spacings")
-          .only_if(s.usual(), otherwise);
+      all.at(fmt::format("h = {:g}, tau = {:g}", s.spacing, s.tau))
+          .only_if(
+              s.gradient.determinant() < 0,
+              "the surface of a drop that rotates faster than it is strained is unstable, more so at finer spacings")
+          .only_if(s.usual(), "volumes of another width agree qualitatively only");
   const double deformed = s.strain() * s.end;
   const auto judge = [&](const Claims<Results>& list, double missed) {
     return list.only_if(!s.balls() || published, "the error with balls depends on the particle arrangement")
