@@ -1,5 +1,5 @@
-/// Frequencies of small waves in tanks of a Lagrangian model: how they are measured, judged and drawn. Depth and gravity
-/// are 1.
+/// Frequencies of small waves in tanks of a Lagrangian model: how they are measured, judged and drawn. Depth and
+/// gravity are 1.
 #pragma once
 
 #include <algorithm>
