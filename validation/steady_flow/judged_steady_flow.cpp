@@ -34,19 +34,14 @@ std::vector<Required> requirements(const JudgedSteadyFlow& flow, double cell) {
        {.limit = flow.tolerance,
         .reason = "the case's parameter `tolerance`, relative to the effect of bed and friction on a level surface; by "
                   "default 5 %"}},
-      {{.id = "discharge",
-        .text = "The unit discharge q = hu agrees with the inflow along the channel within 1 %.",
-        .quantity = "mean |h u - q| over q",
-        .source = flow.source},
+      {{"discharge", "The unit discharge q = hu agrees with the inflow along the channel within 1 %.",
+        "mean |h u - q| over q", "1", flow.source},
        [flow](const ProfilePoints& points) { return mean_errors(points, flow.exact).discharge / flow.discharge; },
        {.limit = 0.01, .reason = "1 %, the uncertainty of a measuring weir"}}};
   if (flow.jump) {
     all.push_back(
-        {{.id = "jump",
-          .text = "The position of the hydraulic jump is exact within one cell plus its shift by 1 % of discharge.",
-          .quantity = "position minus the exact position",
-          .unit = "m",
-          .source = flow.source},
+        {{"jump", "The position of the hydraulic jump is exact within one cell plus its shift by 1 % of discharge.",
+          "position minus the exact position", "m", flow.source},
          [front = flow.jump->front](const ProfilePoints& points) {
            return front_position(points.cells(), front) - front.position;
          },
