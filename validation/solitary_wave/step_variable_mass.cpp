@@ -73,7 +73,7 @@ struct SurfaceLine {
     std::erase_if(found, [&](const CurveCrest& one) { return !(one.place >= from && one.place <= to); });
     return found;
   }
-  [[nodiscard]] std::vector<CurveCrest> waves(double threshold, double apart, double from, double to) const {
+  [[nodiscard]] std::vector<CurveCrest> waves(double threshold, double from, double to) const {
     std::vector<CurveCrest> found = crests(threshold, from, to);
     std::erase_if(found, [&](const CurveCrest& one) {
       const auto begin = std::lower_bound(x.begin(), x.end(), one.place - apart) - x.begin();
@@ -211,7 +211,7 @@ Passage pass(const Run& run, const SolitaryWave& wave, long rows, const std::fun
   const SurfaceLine& last = p.surfaces.back();
   const CurveCrest first = last.highest(step, last.x.back());
   // Behind the waves that parted comes what was reflected twice.
-  p.peaks = last.waves(0.03 * wave.amplitude(), apart, step + 0.5 * (first.place - step), first.place);
+  p.peaks = last.waves(0.03 * wave.amplitude(), step + 0.5 * (first.place - step), first.place);
   std::reverse(p.peaks.begin(), p.peaks.end());
   const double half_way = (step - run.real("crest")) / wave.speed() + 0.5 * step;
   const SurfaceLine& then = p.at(half_way);
