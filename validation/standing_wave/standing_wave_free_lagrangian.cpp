@@ -258,26 +258,24 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const double amplitude = values.real("amplitude");
   const bool controlled = values.text("control") == "mapped" || values.text("control") == "fixed_x";
   const auto life = claims.at(fmt::format("{} rows, a = {:g}", rows_of_life, amplitude));
-  const auto lasts = [periods](std::size_t kind) {
-    return [kind, periods](const Results& r) { return std::min(r.life.at(kind).lasted, periods); };
+  const auto completes = [periods](const Claims<Results>& list, const std::string& id, const std::string& text,
+                                   std::size_t kind) {
+    list.check(
+        "life-" + id, text, "periods until it breaks down",
+        [=](const Results& r) { return std::min(r.life.at(kind).lasted, periods); },
+        Bound{.limit = 1e-9, .reason = "the requested periods", .expected = periods});
   };
-  const Bound whole{.limit = 1e-9, .reason = "the requested periods", .expected = periods};
-  const auto claim = [](const std::string& id, const std::string& text) {
-    return evidence::Claim{"life-" + id, text, "periods until it breaks down", "1", source};
-  };
-  life.only_if(controlled, "surface nodes without a restoring force collide")
-      .check(claim("variable-mass",
-                   "The run of the high wave with variable-mass particles completes the requested periods, to 1e-9."),
-             lasts(of_variable), whole);
-  const auto fixed = claims.at(fmt::format("{} rows, a = {:g}", rows_of(of_fixed), amplitude));
+  completes(life.only_if(controlled, "surface nodes without a restoring force collide"), "variable-mass",
+            "The run of the high wave with variable-mass particles completes the requested periods, to 1e-9.",
+            of_variable);
   const auto at_fixed_x =
-      fixed.only_if(amplitude <= 0.1 && values.real("surface_rate") >= 1 && values.real("rate") >= 1,
-                    "with higher waves, or weaker control, the model breaks down where the surface is steepest");
-  at_fixed_x.check(
-      claim(
-          "variable-mass-fixed",
-          "The run of the high wave with variable-mass particles at fixed x completes the requested periods, to 1e-9."),
-      lasts(of_fixed), whole);
+      claims.at(fmt::format("{} rows, a = {:g}", rows_of(of_fixed), amplitude))
+          .only_if(amplitude <= 0.1 && values.real("surface_rate") >= 1 && values.real("rate") >= 1,
+                   "with higher waves, or weaker control, the model breaks down where the surface is steepest");
+  completes(
+      at_fixed_x, "variable-mass-fixed",
+      "The run of the high wave with variable-mass particles at fixed x completes the requested periods, to 1e-9.",
+      of_fixed);
   at_fixed_x.only_if(periods <= 10, "the loss grows with time")
       .check(
           "loss-of-life", "The energy loss of variable-mass particles is below 10 % of the initial kinetic energy.",
@@ -312,14 +310,15 @@ void claims(const Values& values, const Claims<Results>& claims) {
           "wave.",
           "largest noise of particles of variable mass",
           [](const Results& r) { return largest(r.life.at(of_variable).noise); }, one_wave);
-  life.only_if(amplitude == 0.1 && periods >= 3, "the life of Dirichlet cells depends on the wave height")
-      .fails({.value = 1.12,
-              .width = 0.2,
-              .reason = "no force restores the position of a node in its cell: the instability belongs to the model, "
-                        "not to the time step; a triangle of the outline inverts after about one period"})
-      .check(claim("dirichlet",
-                   "The run of the high standing wave with Dirichlet cells completes the requested periods, to 1e-9."),
-             lasts(of_dirichlet), whole);
+  completes(life.only_if(amplitude == 0.1 && periods >= 3, "the life of Dirichlet cells depends on the wave height")
+                .fails({.value = 1.12,
+                        .width = 0.2,
+                        .reason = "no force restores the position of a node in its cell: the instability belongs to "
+                                  "the model, not to the time step; a triangle of the outline inverts after about one "
+                                  "period"}),
+            "dirichlet",
+            "The run of the high standing wave with Dirichlet cells completes the requested periods, to 1e-9.",
+            of_dirichlet);
 }
 
 Results compute(const Run& run) {
