@@ -215,15 +215,6 @@ Results compute(const Run& run) {
   return r;
 }
 
-void draw_wave(const Flow& flow, const Wave& wave, evidence::Exhibit& exhibit) {
-  auto& panel = add_panel(exhibit, "mesh", "The mesh at the end", "Computed, and the exact surface.",
-                          {.x = "x", .y = "y", .equal_aspect = true});
-  draw_mesh(panel, "mesh", flow);
-  const std::vector<double> x = evenly(flow.surface_x().front(), flow.surface_x().back(), 201);
-  std::vector<double> y = each(x, [&](const double at) { return wave.elevation(at, flow.time()); });
-  panel.line("exact surface", x, y, Role::exact);
-}
-
 void draw_slips(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   const double amplitude = values.real("amplitude");
   const double time = values.real("time");
@@ -244,7 +235,12 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
                                      "Against the number of rows per unit depth; grey lines have slopes 1 and 2.",
                                      {.x = "n", .y = "error", .log_x = true, .log_y = true}));
   draw_slips(r, values, exhibit);
-  draw_wave(r.flows.front(), *r.wave, exhibit);
+  const Flow& flow = r.flows.front();
+  auto& panel = add_panel(exhibit, "mesh", "The mesh at the end", "Computed, and the exact surface.",
+                          {.x = "x", .y = "y", .equal_aspect = true});
+  draw_mesh(panel, "mesh", flow);
+  const std::vector<double> x = evenly(flow.surface_x().front(), flow.surface_x().back(), 201);
+  panel.line("exact surface", x, each(x, [&](double at) { return r.wave->elevation(at, flow.time()); }), Role::exact);
   study.tabulate(r.refinement, exhibit);
 }
 

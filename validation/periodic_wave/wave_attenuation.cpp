@@ -87,11 +87,6 @@ Course course_of(const std::string& model, const StokesWave& wave, const Followe
 
 using Results = std::vector<Course>;
 
-std::vector<double> heights_of(const Values& values) {
-  const double highest = values.real("height");
-  return {highest / 4, highest / 2, highest};
-}
-
 /// Resolutions of a model, from coarse to fine.
 std::vector<long> ladder(Tier tier, long finest) {
   if (tier == Tier::quick) return {std::lround(0.5 * static_cast<double>(finest)), finest};
@@ -109,14 +104,15 @@ Results compute(const Run& run) {
       work.emplace_back([=, &results] { results.push_back(course_of(model, wave, follow(n))); });
     }
   };
-  for (const double height : heights_of(run)) {
+  const double highest = run.real("height");
+  for (const double height : {highest / 4, highest / 2, highest}) {
     const StokesWave wave = wave_of(height, length);
     later("particles", "cells", wave, [=](long n) { return follow_particles(wave, n, instants); });
     later("dispersive", "markers", wave,
           [=](long n) { return follow_dispersive(SerreCnoidal(height, length, 1, 1), period_of(wave), n, instants); });
     later("mesh", "rows", wave, [=](long n) { return follow_mesh(wave, n, mesh_instants); });
   }
-  const StokesWave steepest = wave_of(run.real("height"), length);
+  const StokesWave steepest = wave_of(highest, length);
   later("sph", "sph_rows", steepest, [=](long n) { return follow_sph(steepest, n, instants); });
   one_by_one(run, work);
   return results;
