@@ -30,56 +30,31 @@ program solves the equations that the formula describes.
 
 #include <fmt/format.h>
 
-#include "seiche/samples.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/literature.hpp"
 #include "validation/case/reference_case.hpp"
-#include "validation/dispersion/frequency_roundoff.hpp"
+#include "validation/dispersion/small_waves.hpp"
 #include "validation/instruments/dispersive_standing_mode.hpp"
 #include "validation/instruments/each.hpp"
 
 namespace seiche::validation::cases::dispersion_1d {
 
-using dispersive_shallow_water_1d::Stepping;
-using dispersive_shallow_water_1d::stepping_named;
 using exact::FrankDispersion;
+using Waves = SmallWaves<StandingBox>;
 
-const std::string source = "Frank, Discrete models of incompressible fluids (1994), ch. 3, formula (13)";
 constexpr double pi = std::numbers::pi;
-
-/// A frequency measured and of the law.
-struct Found {
-  double measured = 0;
-  double theory = 0;
-  [[nodiscard]] double deviation() const { return measured / theory - 1; }
-};
-
-std::vector<Found> frequencies(const std::vector<StandingBox>& boxes, double periods) {
-  std::vector<Found> found;
-  for (const StandingBox& box : boxes) {
-    found.push_back({smallest_wave_frequency(box, periods), box.linear_frequency()});
-  }
-  return found;
-}
-
-Worst worst_of(const std::vector<Found>& found) {
-  Worst deviation;
-  for (const Found& f : found) deviation.add(f.deviation());
-  return deviation;
-}
+constexpr double amplitude = 1e-5;
 
 StandingBox own_box(const Values& values) {
   const double k = values.real("wavenumber");
   return stable({.wavenumber = k,
                  .cells = StandingBox::cells_of(k, values.real("h")),
                  .tau = values.real("tau"),
-                 .scheme = {.stepping = stepping_named(values.text("scheme"))},
+                 .scheme = {.stepping = dispersive_shallow_water_1d::stepping_named(values.text("scheme"))},
                  .alpha = values.real("alpha"),
                  .slope_energy = values.real("beta"),
                  .gamma = values.real("gamma")});
 }
-
-constexpr double deepest = 5;
 
 /// A law for one spacing, with the frequencies of the one-step scheme for tau = s/2.
 struct Family {
@@ -118,99 +93,69 @@ std::vector<Family> families() {
 
 std::vector<StandingBox> boxes_of_figure() {
   std::vector<StandingBox> all;
-  for (const Family& family : families()) {
-    const std::vector<StandingBox> boxes = family.boxes();
-    all.insert(all.end(), boxes.begin(), boxes.end());
-  }
+  for (const Family& family : families()) std::ranges::copy(family.boxes(), std::back_inserter(all));
   return all;
 }
 
 struct Results {
-  std::vector<Found> own, figure;
+  Waves own, figure;
 };
 
 void claims(const Values& values, const Claims<Results>& claims) {
   const double periods = values.real("periods");
   const StandingBox own = own_box(values);
-  const std::vector<StandingBox> figure = boxes_of_figure();
   claims.of(&Results::own)
       .at(fmt::format("{} cells, tau = {:g}", own.cells, own.tau))
       .check("frequency",
              "The frequency of the wave of the parameters equals the exact discrete dispersion relation to round-off.",
-             "relative deviation of the frequency", worst_of,
+             "relative deviation of the frequency", worst_deviation<StandingBox>,
              frequency_roundoff(std::vector{own}, periods, &StandingBox::cells));
   claims.of(&Results::figure)
       .at("40 cells, 1 to 37 half-waves, tau = s/2")
       .check("figure",
              "The frequencies of all waves of the figure, up to the shortest resolved one, equal the exact dispersion "
              "relation to round-off.",
-             "largest relative deviation of the frequency", worst_of,
-             frequency_roundoff(figure, periods, &StandingBox::cells));
+             "largest relative deviation of the frequency", worst_deviation<StandingBox>,
+             frequency_roundoff(boxes_of_figure(), periods, &StandingBox::cells));
 }
 
 Results compute(const Run& run) {
   const double periods = run.real("periods");
-  Results r;
-  r.own = frequencies({own_box(run)}, periods);
+  Results r{.own = small_waves(std::vector{own_box(run)}, periods, amplitude), .figure = {}};
   run.progress(0.1);
-  r.figure = frequencies(boxes_of_figure(), periods);
+  r.figure = small_waves(boxes_of_figure(), periods, amplitude);
   return r;
-}
-
-void draw(evidence::Exhibit& exhibit, const std::vector<Found>& found) {
-  auto& figure =
-      exhibit.figure("dispersion", "Phase speed of the discrete model",
-                     "Lines: dispersion relations, discrete ones for the one-step scheme with tau = s/2, up to the "
-                     "shortest resolved wave; the tuned pair is for s = 0.25. Circles: measured. The error of long "
-                     "waves comes from the time step, $k^2\\tau^2/24$; the other errors from the model.",
-                     {"frank-formula-13"});
-  auto& speed =
-      figure.panel({.x = "k H", .y = "phase speed/sqrt(g H)", .title = "Phase speed", .y_min = 0, .y_max = 1.05});
-  auto& error = figure.panel({.x = "k H",
-                              .y = "relative error",
-                              .title = "Error against Airy",
-                              .log_x = true,
-                              .log_y = true,
-                              .x_min = 0.07,
-                              .x_max = deepest,
-                              .y_min = 1e-8,
-                              .y_max = 1});
-  const exact::AiryDispersion airy(1, 1);
-  const auto error_of = [&](double k, double of) { return std::abs(of / airy.phase_speed(k) - 1); };
-  const auto add = [&](const std::string& label, const auto& speed_of, double k_last, Role role) {
-    const std::vector<double> k = evenly(0.02, k_last, 500);
-    const auto error_at = [&](double at) { return error_of(at, speed_of(at)); };
-    speed.line(label, k, each(k, speed_of), role);
-    if (role != Role::exact) error.line(label, k, each(k, error_at), role);
-  };
-  add(
-      "Airy", [&](double k) { return airy.phase_speed(k); }, deepest, Role::exact);
-  const exact::RationalDispersion serre = exact::RationalDispersion::green_naghdi(1, 1);
-  add(
-      "Green-Naghdi", [&](double k) { return serre.phase_speed(k); }, deepest, Role::guide);
-  for (const Family& family : families()) {
-    add(
-        family.label, [&](double k) { return family.speed(k); }, std::min(deepest, 0.999 * pi / family.law.spacing()),
-        Role::computed);
-  }
-  std::size_t next = 0;
-  for (const Family& family : families()) {
-    std::vector<double> k, speeds, errors;
-    for (const StandingBox& box : family.boxes()) {
-      k.push_back(box.wavenumber);
-      speeds.push_back(found[next++].measured / box.wavenumber);
-      errors.push_back(error_of(k.back(), speeds.back()));
-    }
-    speed.points("measured", k, speeds, Role::data);
-    error.points("measured", k, errors, Role::data);
-  }
 }
 
 void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   exhibit.measure("spacing_used", own_box(values).spacing());
-  exhibit.measure("omega_measured", r.own.front().measured);
-  exhibit.measure("omega_theory", r.own.front().theory);
-  draw(exhibit, r.figure);
+  exhibit.measure("omega_measured", r.own.front().frequency);
+  exhibit.measure("omega_theory", r.own.front().tank.linear_frequency());
+  PhaseSpeedPanels panels(
+      exhibit.figure("dispersion", "Phase speed of the discrete model",
+                     "Lines: dispersion relations, discrete ones for the one-step scheme with tau = s/2, up to the "
+                     "shortest resolved wave; the tuned pair is for s = 0.25. Circles: measured. The error of long "
+                     "waves comes from the time step, $k^2\\tau^2/24$; the other errors from the model.",
+                     {"frank-formula-13"}),
+      0.07, 1e-8);
+  const auto add = [&](const std::string& label, const auto& speed_of, double k_last, Role role) {
+    const std::vector<double> k = evenly(0.02, k_last, 500);
+    panels.add(label, k, each(k, speed_of), role);
+  };
+  const auto speed_by = [](const auto& law) { return [law](double k) { return law.phase_speed(k); }; };
+  add("Airy", speed_by(exact::AiryDispersion(1, 1)), deepest, Role::exact);
+  add("Green-Naghdi", speed_by(exact::RationalDispersion::green_naghdi(1, 1)), deepest, Role::guide);
+  auto next = r.figure.begin();
+  for (const Family& family : families()) {
+    const auto speed = [&](double k) { return family.speed(k); };
+    add(family.label, speed, std::min(deepest, 0.999 * pi / family.law.spacing()), Role::computed);
+  }
+  for (const Family& family : families()) {
+    const Waves waves(next, next + std::ssize(family.boxes()));
+    next += std::ssize(waves);
+    panels.add("measured", each(waves, &Waves::value_type::wavenumber),
+               each(waves, [](const auto& wave) { return wave.frequency / wave.wavenumber(); }), Role::data);
+  }
 }
 
 void dispersion_1d(Case& c) {
@@ -227,7 +172,7 @@ void dispersion_1d(Case& c) {
       real("periods", 20.0, "1", {2, 1000}, "length of the series"),
   };
   c.published = {{.tiles = {"frank-formula-13"}, .stated = {"alpha", "beta", "gamma", "scheme"}}};
-  c.study = Study(claims, compute, show, source);
+  c.study = Study(claims, compute, show, "Frank, Discrete models of incompressible fluids (1994), ch. 3, formula (13)");
 }
 
 }  // namespace seiche::validation::cases::dispersion_1d

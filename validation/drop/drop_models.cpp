@@ -48,154 +48,112 @@ Dispersive shallow water cannot represent a drop, because its water columns stan
 #include "seiche/models/wcsph/flow.hpp"
 #include "seiche/models/wcsph/scene.hpp"
 #include "validation/case/case.hpp"
+#include "validation/instruments/each.hpp"
 #include "validation/studies/side_by_side/contest.hpp"
 
 namespace seiche::validation::cases::drop_models {
 
-using exact::StretchingDrop;
+const std::string source = "Dirichlet (1860); Frank, Discrete models of incompressible fluid (1994)";
 
-// The square |xi|, |eta| <= 1 mapped on the disc of radius 1, by which meshes of squares become those of a round drop.
-
-/// x = xi sqrt(1 - eta^2/2), y = eta sqrt(1 - xi^2/2): the four corners get a straight angle on the outline.
-inline void make_round(std::vector<double>& x, std::vector<double>& y) {
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    const double xi = x[k];
-    const double eta = y[k];
-    x[k] = xi * std::sqrt(1 - eta * eta / 2);
-    y[k] = eta * std::sqrt(1 - xi * xi / 2);
-  }
-}
-
-// A round drop that is stretched, by six models, for a contest: gravity is 0, density, radius and strain rate are 1.
+/// Gravity is 0, density, radius and strain rate are 1.
+const exact::StretchingDrop drop(1, 1, 1);
 
 /// Velocity of the drop's middle: without it there would be no momentum to be kept, and fixed lattices would not notice
 /// that the drop moves.
-constexpr Point drop_drift{0.3, 0.2};
-
-/// The finest resolution of each model.
-struct DropSizes {
-  long mesh = 32;         ///< cells across
-  long rings = 28;        ///< of free particles to the radius
-  long overlapping = 20;  ///< spacings to the radius
-  long cells = 16;        ///< rings of Dirichlet cells and of variable masses
-  long sph = 40;          ///< spacings to the radius
-};
+constexpr Point drift{0.3, 0.2};
 
 /// Of the pressures of cells: regular rings may be singular.
 constexpr double stabilisation = 0.01;
 constexpr double courant = 0.2;  ///< steps over the spacing: the drop's rim moves at the speed 1
 
 Point first_velocity(Point r) {
-  return {drop_drift.x + r.x, drop_drift.y - r.y};
+  return {drift.x + r.x, drift.y - r.y};
 }
 
-/// Points of the rim: where they began, and how far from the exact place one is at a time.
-class Rim {
- public:
-  explicit Rim(const StretchingDrop& drop) : drop_(&drop) {}
-
-  void add(std::size_t index, Point label) {
-    indices_.push_back(index);
-    labels_.push_back(label);
-  }
-
-  /// @param place  of the point of an index
-  template <class Place>
-  [[nodiscard]] std::vector<double> off(double time, const Place& place) const {
-    const double a = drop_->semi_axis(time);
-    const double b = drop_->other_axis(time);
-    std::vector<double> distances;
-    for (std::size_t k = 0; k < labels_.size(); ++k) {
-      const Point at = place(indices_[k]);
-      distances.push_back(
-          std::hypot(at.x - drop_drift.x * time - a * labels_[k].x, at.y - drop_drift.y * time - b * labels_[k].y));
-    }
-    return distances;
-  }
-
- private:
-  const StretchingDrop* drop_;
-  std::vector<std::size_t> indices_;
-  std::vector<Point> labels_;
+/// A point of the rim, and where it began.
+struct RimPoint {
+  std::size_t index;
+  Point label;
 };
+using Rim = std::vector<RimPoint>;
 
-/// Of particles that were within so much of the rim.
-Rim outer_particles(const StretchingDrop& drop, std::span<const double> x, std::span<const double> y, double within) {
-  Rim rim(drop);
-  for (std::size_t k = 0; k < x.size(); ++k) {
-    if (std::hypot(x[k], y[k]) > 1 - within) rim.add(k, {x[k], y[k]});
+/// @param at_rim  whether the point of an index belongs to it
+template <class AtRim>
+Rim rim_of(std::span<const double> x, std::span<const double> y, const AtRim& at_rim) {
+  Rim rim;
+  for (const std::size_t k : indices(x.size())) {
+    if (at_rim(k)) rim.push_back({k, {x[k], y[k]}});
   }
   return rim;
 }
 
-/// A flow in equal steps; `momentum` and `places` are read off it.
-template <class Flow, class Momentum, class PlacesOf>
-Racer racer_of(const std::shared_ptr<Flow>& flow, const Rim& rim, double tau, Momentum momentum, PlacesOf places) {
+/// Of particles that were within so much of the rim.
+Rim outer_particles(std::span<const double> x, std::span<const double> y, double within) {
+  return rim_of(x, y, [&](std::size_t k) { return std::hypot(x[k], y[k]) > 1 - within; });
+}
+
+/// How far the rim is from where it should be. @param place  of the point of an index
+template <class Place>
+std::vector<double> distances(const Rim& rim, double time, const Place& place) {
+  const double a = drop.semi_axis(time);
+  const double b = drop.other_axis(time);
+  return each(rim, [&](const RimPoint& point) {
+    const Point at = place(point.index);
+    return std::hypot(at.x - drift.x * time - a * point.label.x, at.y - drift.y * time - b * point.label.y);
+  });
+}
+
+/// A flow in equal steps.
+template <class Flow>
+Racer racer_of(const std::shared_ptr<Flow>& flow, const Rim& rim, double tau) {
   return {[flow, tau](double time) { march(*flow, time, tau); },
-          [flow, rim, momentum, places] {
-            const Places at = places(*flow);
-            const auto [along, across] = momentum(*flow);
-            return Sight{.off = rim.off(flow->time(),
-                                        [&](std::size_t k) {
-                                          return Point{at.x[k], at.y[k]};
-                                        }),
+          [flow, rim] {
+            const auto place = [&](std::size_t k) { return Point{flow->x()[k], flow->y()[k]}; };
+            const auto [along, across] = flow->model().momentum(flow->state().q, flow->state().u);
+            return Sight{.off = distances(rim, flow->time(), place),
                          .energy = flow->energy(),
                          .momentum = std::hypot(along, across)};
           }};
 }
 
-template <class Flow>
-Places places_of(const Flow& flow) {
-  return {flow.x(), flow.y()};
-}
-template <class Flow>
-std::array<double, 2> momentum_of(const Flow& flow) {
-  return flow.model().momentum(flow.state().q, flow.state().u);
-}
-
-Racer start_mesh(const StretchingDrop& drop, long cells) {
+/// The square |xi|, |eta| <= 1 of square cells, mapped on the disc of radius 1 by x = xi sqrt(1 - eta^2/2),
+/// y = eta sqrt(1 - xi^2/2): the four corners get a straight angle on the outline.
+Racer start_mesh(long cells) {
+  using lagrangian_mesh_2d::Flow;
   const auto n = static_cast<std::size_t>(cells);
   lagrangian_mesh_2d::Mesh mesh = lagrangian_mesh_2d::free_patch(n, n, {-1, -1}, {1, 1});
-  make_round(mesh.x, mesh.y);
-  Rim rim(drop);
-  for (std::size_t j = 0; j <= n; ++j) {
-    for (std::size_t i = 0; i <= n; ++i) {
-      if (i % n != 0 && j % n != 0) continue;
-      const std::size_t k = mesh.node(i, j);
-      rim.add(k, {mesh.x[k], mesh.y[k]});
-    }
+  for (std::size_t k = 0; k < mesh.x.size(); ++k) {
+    const double xi = mesh.x[k];
+    const double eta = mesh.y[k];
+    mesh.x[k] = xi * std::sqrt(1 - eta * eta / 2);
+    mesh.y[k] = eta * std::sqrt(1 - xi * xi / 2);
   }
-  const auto flow = std::make_shared<lagrangian_mesh_2d::Flow>(mesh, first_velocity, lagrangian_mesh_2d::Scheme{},
-                                                               lagrangian_mesh_2d::Settings{.gravity = 0},
-                                                               lagrangian_mesh_2d::Forcing{}, false);
-  using Flow = lagrangian_mesh_2d::Flow;
-  return racer_of(flow, rim, courant * 2 / static_cast<double>(n), momentum_of<Flow>, places_of<Flow>);
+  const Rim rim = rim_of(mesh.x, mesh.y, [n](std::size_t k) { return k % (n + 1) % n == 0 || k / (n + 1) % n == 0; });
+  const auto flow =
+      std::make_shared<Flow>(mesh, first_velocity, lagrangian_mesh_2d::Scheme{},
+                             lagrangian_mesh_2d::Settings{.gravity = 0}, lagrangian_mesh_2d::Forcing{}, false);
+  return racer_of(flow, rim, courant * 2 / static_cast<double>(n));
 }
 
-Racer start_free_particles(const StretchingDrop& drop, long rings) {
-  using gauss_particles::Flow;
+Racer start_free_particles(long rings) {
   using gauss_particles::SplineSpace;
   const double spacing = 1 / static_cast<double>(rings);
   const gauss_particles::Particles particles = gauss_particles::disc(1, static_cast<std::size_t>(rings), 128);
-  Rim rim(drop);
-  for (std::size_t k = 0; k < particles.size(); ++k) {
-    if (particles.mass[k] == 0) rim.add(k, {particles.x[k], particles.y[k]});
-  }
-  const auto flow =
-      std::make_shared<Flow>(particles,
-                             std::make_unique<SplineSpace>(gauss_particles::LatticePlan{.cell_x = 4 * spacing},
-                                                           SplineSpace::Settings{.inner_fraction = 0.4}),
-                             first_velocity, gauss_particles::Settings{.gravity = 0, .penalty = 0});
-  return racer_of(flow, rim, courant * spacing, momentum_of<Flow>, places_of<Flow>);
+  const Rim rim = rim_of(particles.x, particles.y, [&](std::size_t k) { return particles.mass[k] == 0; });
+  const auto flow = std::make_shared<gauss_particles::Flow>(
+      particles,
+      std::make_unique<SplineSpace>(gauss_particles::LatticePlan{.cell_x = 4 * spacing},
+                                    SplineSpace::Settings{.inner_fraction = 0.4}),
+      first_velocity, gauss_particles::Settings{.gravity = 0, .penalty = 0});
+  return racer_of(flow, rim, courant * spacing);
 }
 
-Racer start_overlapping(const StretchingDrop& drop, long spacings) {
-  using overlapping_particles::Flow;
+Racer start_overlapping(long spacings) {
   const double spacing = 1 / static_cast<double>(spacings);
   const overlapping_particles::Particles particles = overlapping_particles::staggered_disc(1, spacing);
-  const Rim rim = outer_particles(drop, particles.x, particles.y, spacing);
-  const auto flow = std::make_shared<Flow>(particles, first_velocity, overlapping_particles::Settings{});
-  return racer_of(flow, rim, courant * spacing, momentum_of<Flow>, places_of<Flow>);
+  const auto flow =
+      std::make_shared<overlapping_particles::Flow>(particles, first_velocity, overlapping_particles::Settings{});
+  return racer_of(flow, outer_particles(particles.x, particles.y, spacing), courant * spacing);
 }
 
 /// A node in the middle and six more in every ring than in the one within it, every other ring turned by half a
@@ -216,37 +174,32 @@ free_lagrangian::Mesh round_cells(long rings) {
   return mesh;
 }
 
-Rim outline_of(const StretchingDrop& drop, const free_lagrangian::Mesh& mesh) {
-  Rim rim(drop);
-  for (const int node : mesh.outline) rim.add(static_cast<std::size_t>(node), mesh.places()[node]);
-  return rim;
+template <class Flow>
+Racer racer_of_cells(const std::shared_ptr<Flow>& flow, const free_lagrangian::Mesh& mesh, long rings) {
+  const auto at_rim = [&](std::size_t k) { return std::ranges::count(mesh.outline, static_cast<int>(k)) > 0; };
+  return racer_of(flow, rim_of(mesh.x, mesh.y, at_rim), courant / static_cast<double>(rings));
 }
 
-Racer start_dirichlet(const StretchingDrop& drop, long rings) {
-  using dirichlet_mesh::Flow;
+Racer start_dirichlet(long rings) {
   const free_lagrangian::Mesh mesh = round_cells(rings);
-  const auto flow = std::make_shared<Flow>(mesh, first_velocity,
-                                           dirichlet_mesh::Settings{.gravity = 0, .stabilisation = stabilisation});
-  return racer_of(flow, outline_of(drop, mesh), courant / static_cast<double>(rings), momentum_of<Flow>,
-                  places_of<Flow>);
+  return racer_of_cells(
+      std::make_shared<dirichlet_mesh::Flow>(mesh, first_velocity,
+                                             dirichlet_mesh::Settings{.gravity = 0, .stabilisation = stabilisation}),
+      mesh, rings);
 }
 
 /// Nodes inside go to the middle of their cells; those of the outline are particles.
-Racer start_variable_mass(const StretchingDrop& drop, long rings) {
-  using variable_mass::Flow;
+Racer start_variable_mass(long rings) {
   const free_lagrangian::Mesh mesh = round_cells(rings);
-  const auto flow = std::make_shared<Flow>(
-      mesh, variable_mass::Start{.velocity = first_velocity},
-      variable_mass::Control{.kind = variable_mass::ControlKind::centroid, .rate = 1, .surface_rate = 0},
-      variable_mass::Settings{.gravity = 0, .stabilisation = stabilisation});
-  return racer_of(
-      flow, outline_of(drop, mesh), courant / static_cast<double>(rings),
-      [](const Flow& f) { return f.water().momentum(f.state().q, f.state().u); },
-      [](const Flow& f) { return f.nodes(); });
+  return racer_of_cells(
+      std::make_shared<variable_mass::Flow>(
+          mesh, variable_mass::Start{.velocity = first_velocity},
+          variable_mass::Control{.kind = variable_mass::ControlKind::centroid, .rate = 1, .surface_rate = 0},
+          variable_mass::Settings{.gravity = 0, .stabilisation = stabilisation}),
+      mesh, rings);
 }
 
-Racer start_sph(const StretchingDrop& drop, long spacings) {
-  using wcsph::Flow;
+Racer start_sph(long spacings) {
   const wcsph::Settings settings{.kernel = wcsph::KernelName::wendland_c2,
                                  .smoothing = 2,
                                  .gravity = 0,
@@ -255,18 +208,15 @@ Racer start_sph(const StretchingDrop& drop, long spacings) {
                                  .viscosity = wcsph::Inviscid{},
                                  .xsph = 0.5};
   const double spacing = 1 / static_cast<double>(spacings);
+  const auto velocity = [](double x, double y) {
+    const Point v = first_velocity({x, y});
+    return wcsph::Velocity{v.x, v.y};
+  };
+  const auto pressure = [](double x, double y) { return 0.5 * std::max(0.0, 1 - x * x - y * y); };
   const wcsph::Scene scene =
-      wcsph::patch({.radius = 1,
-                    .velocity =
-                        [](double x, double y) {
-                          const Point v = first_velocity({x, y});
-                          return wcsph::Velocity{v.x, v.y};
-                        },
-                    .pressure = [&](double x, double y) { return 0.5 * std::max(0.0, 1 - x * x - y * y); },
-                    .spacing = spacing},
-                   settings);
-  const Rim rim = outer_particles(drop, scene.particles.x, scene.particles.z, spacing);
-  const auto flow = std::make_shared<Flow>(scene.particles, scene.spacing, settings);
+      wcsph::patch({.radius = 1, .velocity = velocity, .pressure = pressure, .spacing = spacing}, settings);
+  const Rim rim = outer_particles(scene.particles.x, scene.particles.z, spacing);
+  const auto flow = std::make_shared<wcsph::Flow>(scene.particles, scene.spacing, settings);
   return {[flow](double time) { march(*flow, time); },
           [flow, rim] {
             const wcsph::Particles& p = flow->particles();
@@ -275,90 +225,92 @@ Racer start_sph(const StretchingDrop& drop, long spacings) {
               places.at(static_cast<std::size_t>(p.identity[k])) = {p.x[k], p.z[k]};
             }
             const wcsph::Totals totals = flow->totals();
-            return Sight{.off = rim.off(flow->time(), [&](std::size_t k) { return places[k]; }),
+            return Sight{.off = distances(rim, flow->time(), [&](std::size_t k) { return places[k]; }),
                          .energy = totals.energy(),
                          .momentum = std::hypot(totals.momentum[0], totals.momentum[1])};
           }};
 }
 
-/// Each on a few resolutions up to the finest. `drop` is kept by reference.
-std::vector<Contender> drop_contenders(const StretchingDrop& drop, const DropSizes& sizes) {
-  const auto over = [](double whole) { return [whole](long n) { return whole / static_cast<double>(n); }; };
-  const auto starting = [&drop](Racer (*start)(const StretchingDrop&, long)) {
-    return [&drop, start](long n) { return start(drop, n); };
-  };
-  const std::vector<double> quarters{0.25, 0.5, 0.75, 1};
-  return {{"particles", "Gauss particles", "ring", Role::computed, ladder_to(sizes.rings, {0.357, 0.5, 0.714, 1}),
-           over(1), starting(start_free_particles)},
-          {"mesh", "Lagrangian mesh", "cell size", Role::peer, ladder_to(sizes.mesh, quarters), over(2),
-           starting(start_mesh)},
-          {"dirichlet", "Dirichlet cells", "ring", Role::peer, ladder_to(sizes.cells, quarters), over(1),
-           starting(start_dirichlet)},
-          {"variable-mass", "variable mass", "ring", Role::peer, ladder_to(sizes.cells, quarters), over(1),
-           starting(start_variable_mass)},
-          {"overlapping", "overlapping particles", "particle spacing", Role::data,
-           ladder_to(sizes.overlapping, {0.25, 0.5, 0.75, 1}), over(1), starting(start_overlapping)},
-          {"sph", "SPH", "particle spacing", Role::peer, ladder_to(sizes.sph, {0.5, 0.7071, 1}), over(1),
-           starting(start_sph)}};
-}
+/// A model, and how finely it is computed.
+struct Model {
+  Named named;
+  std::string title;  ///< in tables and figures
+  std::string size_of;
+  Role role;
+  std::string finest;         ///< parameter: sizes on its finest resolution
+  std::vector<double> parts;  ///< of them, on all resolutions
+  double whole;               ///< over so many radii
+  Racer (*start)(long);
 
-const std::string source = "Dirichlet (1860); Frank, Discrete models of incompressible fluid (1994)";
+  /// Steps of the finest resolution until errors are compared.
+  [[nodiscard]] double steps(const Values& values) const {
+    const double time = values.real("time");
+    return named.id == "sph" ? time * 14 / (0.3 * 2) * values.number(finest) : 5 * time * values.number(finest) / whole;
+  }
+  [[nodiscard]] Contender contender(const Values& values) const {
+    const auto size = [over = whole](long n) { return over / static_cast<double>(n); };
+    return {named.id, title, size_of, role, ladder_to(values.integer(finest), parts), size, start};
+  }
+};
 
-const std::array<Named, 6> names{{{"particles", "Gauss particles"},
-                                  {"mesh", "the Lagrangian mesh"},
-                                  {"dirichlet", "Dirichlet cells"},
-                                  {"variable-mass", "variable mass"},
-                                  {"overlapping", "overlapping particles"},
-                                  {"sph", "SPH"}}};
+const std::vector<double> quarters{0.25, 0.5, 0.75, 1};
+const std::array<Model, 6> models{
+    {{{"particles", "Gauss particles"},
+      "Gauss particles",
+      "ring",
+      Role::computed,
+      "rings",
+      {0.357, 0.5, 0.714, 1},
+      1,
+      start_free_particles},
+     {{"mesh", "the Lagrangian mesh"}, "Lagrangian mesh", "cell size", Role::peer, "mesh", quarters, 2, start_mesh},
+     {{"dirichlet", "Dirichlet cells"}, "Dirichlet cells", "ring", Role::peer, "cells", quarters, 1, start_dirichlet},
+     {{"variable-mass", "variable mass"},
+      "variable mass",
+      "ring",
+      Role::peer,
+      "cells",
+      quarters,
+      1,
+      start_variable_mass},
+     {{"overlapping", "overlapping particles"},
+      "overlapping particles",
+      "particle spacing",
+      Role::data,
+      "overlapping",
+      quarters,
+      1,
+      start_overlapping},
+     {{"sph", "SPH"}, "SPH", "particle spacing", Role::peer, "sph", {0.5, 0.7071, 1}, 1, start_sph}}};
 
-StretchingDrop the_drop() {
-  return {1, 1, 1};
-}
-
-Trial trial_of(const Values& values) {
-  const double last = values.real("last");
-  return {.end = values.real("time"),
-          .last = last,
-          .looks = 12,
-          .useless = the_drop().other_axis(last),
-          .useless_in_words = "the surface error exceeds the minor semi-axis",
-          .energy_scale = std::numbers::pi / 4,
-          .momentum_scale = std::numbers::pi * std::numbers::sqrt2 / 2};
-}
-
-/// Steps of the finest resolution until errors are compared.
-double steps_of(const Values& values, const std::string& id) {
-  const double spacings = 5 * values.real("time");
-  if (id == "particles") return spacings * values.number("rings");
-  if (id == "mesh") return spacings * values.number("mesh") / 2;
-  if (id == "overlapping") return spacings * values.number("overlapping");
-  if (id == "sph") return values.real("time") * 14 / (0.3 * 2) * values.number("sph");
-  return spacings * values.number("cells");
+Claims<Entry> claims_of(const Claims<Contest>& claims, const Model& model) {
+  return validation::claims_of(claims, model.named.id);
 }
 
 void claim_kept(const Claims<Contest>& all, const Values& values) {
-  const double drift = 2 * (drop_drift.x * drop_drift.x + drop_drift.y * drop_drift.y);
-  for (const Named& model : {names[0], names[1], names[4]}) {
-    claim_energy(claims_of(all, model.id), model, 40 * steps_of(values, model.id), 1 + drift,
+  const double kinetic_of_drift = 2 * (drift.x * drift.x + drift.y * drift.y);
+  for (const Model& model : {models[0], models[1], models[4]}) {
+    claim_energy(claims_of(all, model), model.named, 40 * model.steps(values), 1 + kinetic_of_drift,
                  "in every step the reactions of a particle's or node's neighbours, forty at most, are rounded; scale: "
                  "the kinetic energy with the drift, over the energy of the stretching",
                  "Frank (1994), chapters 1 and 6");
   }
-  for (const Named& model : names) {
-    claims_of(all, model.id)
+  for (const Model& model : models) {
+    claims_of(all, model)
         .from("Frank (1994), chapter 1; forces of pairs are opposite")
         .check(
-            model.id + "-momentum", fmt::format("The momentum of {} is conserved to round-off.", model.name),
+            model.named.id + "-momentum",
+            fmt::format("The momentum of {} is conserved to round-off.", model.named.name),
             "change over the sum of all momenta", [](const Entry& entry) { return entry.finest().momentum; },
-            Roundoff{.operations = steps_of(values, model.id),
+            Roundoff{.operations = model.steps(values),
                      .scale = 1,
                      .reason = "the sum of all momenta is rounded once in each step"});
   }
-  for (const Named& model : {names[2], names[3]}) {
-    claim_dissipates(claims_of(all, model.id), model,
+  for (const Model& model : {models[2], models[3]}) {
+    claim_dissipates(claims_of(all, model), model.named,
                      "in each step the stabilisation takes a square of differences of the multipliers", source);
   }
-  claims_of(all, "sph")
+  claims_of(all, models[5])
       .from("Monaghan (1994)")
       .check("sph-energy",
              "The energy change of SPH, compression included, is below the initial energy of compression, 1/(6 c^2).",
@@ -369,75 +321,74 @@ void claim_kept(const Claims<Contest>& all, const Values& values) {
 }
 
 void claim_accuracy(const Claims<Contest>& all, const Values& values) {
-  claims_of(all, "particles")
+  claims_of(all, models[0])
       .check("particles-rim", "The outline error of Gauss-principle particles is below 1 % of the ring spacing.",
              "rms distance from the exact positions [radius]", error_of_finest,
              Bound{.limit = 0.01 / values.number("rings"),
                    .reason = "1 % of the ring spacing, below which particles do not define a surface position"});
-  claims_of(all, "mesh")
+  claims_of(all, models[1])
       .check("mesh-order", "The outline error of the Lagrangian mesh converges at first order.",
              "order of the rms distance from the exact positions", &Entry::order,
              Order{.theory = 1,
                    .tolerance = 0.25,
                    .reason = "outline nodes slip along it at first order; the coarsest mesh has cells of a quarter of "
                              "the radius, where terms of other orders are as large"});
-  for (const Named& model : {names[2], names[3], names[5]}) {
-    claims_of(all, model.id)
+  const auto spacings_off = [](const Attempt& attempt) { return attempt.error / attempt.size; };
+  const std::string quantity = "rms distance from the exact positions over the spacing";
+  for (const Model& model : {models[2], models[3], models[5]}) {
+    claims_of(all, model)
         .check(
-            model.id + "-rim", fmt::format("The outline error of {} is below one spacing.", model.name),
-            "rms distance from the exact positions over the spacing",
-            [](const Entry& entry) { return entry.finest().error / entry.finest().size; },
+            model.named.id + "-rim", fmt::format("The outline error of {} is below one spacing.", model.named.name),
+            quantity, [=](const Entry& entry) { return spacings_off(entry.finest()); },
             Bound{.limit = 1, .reason = "a surface is uncertain by one spacing"});
   }
-  claims_of(all, "overlapping")
+  claims_of(all, models[4])
       .at(fmt::format("{} spacings per radius", values.integer("overlapping") / 2))
       .check(
           "overlapping-rim",
           "The drop outline of overlapping particles, at half as many rows, is within one particle spacing of the "
           "exact ellipse.",
-          "rms distance from the exact positions over the spacing",
-          [](const Entry& entry) { return entry.attempts.at(1).error / entry.attempts.at(1).size; },
+          quantity, [=](const Entry& entry) { return spacings_off(entry.attempts.at(1)); },
           Bound{.limit = 1,
-                .reason = "a surface is uncertain by one spacing; at finer resolution the error contains unpredictable "
-                          "noise of single particles"});
+                .reason = "a surface is uncertain by one spacing; at finer resolution the error contains "
+                          "unpredictable noise of single particles"});
   all.check(
       "nearest", "Gauss-principle particles give the smallest outline error of all models.",
       "their error is the smallest",
       [](const Contest& contest) {
         const double least = contest.of("particles").finest().error;
-        return std::ranges::all_of(contest.entries(),
-                                   [least](const Entry& one) { return !(one.finest().error < least); });
+        return std::ranges::none_of(contest.entries(), [=](const Entry& one) { return one.finest().error < least; });
       },
       Qualitative{.detector = "error of the finest resolution of each",
                   .reason = "their space contains the linear fields of the exact motion"});
 }
 
-void claim_ends(const Claims<Contest>& all, const Values& values) {
-  const auto lasting =
-      all.only_if(values.real("last") <= 3, "the smallest drop thickness that the particles resolve is unknown");
-  for (const Named& model : {names[0], names[1]}) {
-    claim_lasts(claims_of(lasting, model.id), model, values.real("last"), source);
-  }
-  claim_breaks(claims_of(all.only_if(values.real("last") >= 3, "they complete until the drop is thin"), "dirichlet"),
-               names[2], "the outline is stretched, and no force restores the position of a node in its cell", source);
-}
-
 void claims(const Values& values, const Claims<Contest>& all) {
   const Claims<Contest> claims = all.at(fmt::format("the finest, t = {:g}", values.real("time")));
+  const double last = values.real("last");
   claim_accuracy(claims, values);
   claim_kept(claims, values);
-  claim_ends(claims, values);
+  for (const Model& model : {models[0], models[1]}) {
+    claim_lasts(claims_of(claims, model)
+                    .only_if(last <= 3, "the smallest drop thickness that the particles resolve is unknown"),
+                model.named, last, source);
+  }
+  claim_breaks(claims_of(claims, models[2]).only_if(last >= 3, "they complete until the drop is thin"), models[2].named,
+               "the outline is stretched, and no force restores the position of a node in its cell", source);
 }
 
 Contest compute(const Run& run) {
-  const StretchingDrop drop = the_drop();
-  return contest(run,
-                 drop_contenders(drop, {.mesh = run.integer("mesh"),
-                                        .rings = run.integer("rings"),
-                                        .overlapping = run.integer("overlapping"),
-                                        .cells = run.integer("cells"),
-                                        .sph = run.integer("sph")}),
-                 trial_of(run));
+  const double last = run.real("last");
+  std::vector<Contender> contenders;
+  for (const Model& model : models) contenders.push_back(model.contender(run));
+  return contest(run, contenders,
+                 {.end = run.real("time"),
+                  .last = last,
+                  .looks = 12,
+                  .useless = drop.other_axis(last),
+                  .useless_in_words = "the surface error exceeds the minor semi-axis",
+                  .energy_scale = std::numbers::pi / 4,
+                  .momentum_scale = std::numbers::pi * std::numbers::sqrt2 / 2});
 }
 
 void show(const Contest& contest, const Values& /*values*/, evidence::Exhibit& exhibit) {

@@ -28,7 +28,7 @@ at cut cells, the sums over particles, and the steps.
 #include "seiche/models/gauss_particles/spline_space.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
-#include "validation/drop/affine_outline.hpp"
+#include "validation/drop/affine_motion.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/instruments/exact/affine_drop.hpp"
 #include "validation/instruments/particles/gauss_pressure.hpp"
@@ -37,17 +37,12 @@ at cut cells, the sums over particles, and the steps.
 namespace seiche::validation::cases::ellipse_gauss {
 
 using exact::AffineDrop;
-using gauss_particles::FieldSpace;
 using gauss_particles::Flow;
-using gauss_particles::LatticePlan;
-using gauss_particles::Particles;
-using gauss_particles::PolynomialSpace;
 using gauss_particles::SplineSpace;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), section 6.3; Dirichlet (1860)";
 
-constexpr long pressures = 10;    ///< how many times the pressure is taken
-constexpr std::size_t drawn = 4;  ///< every such marker
+constexpr long pressures = 10;  ///< how many times the pressure is taken
 
 /// What the parameters decide.
 struct SetUp {
@@ -91,7 +86,7 @@ struct Results {
 
 Errors errors_of(const Flow& flow, const AffineDrop& drop) {
   const Eigen::Matrix2d deformation = drop.at(flow.time()).deformation;
-  const Particles& first = flow.model().particles();
+  const gauss_particles::Particles& first = flow.model().particles();
   Mean inside;
   Worst surface;
   for (std::size_t k = 0; k < first.size(); ++k) {
@@ -106,12 +101,8 @@ Errors errors_of(const Flow& flow, const AffineDrop& drop) {
   return {inside.rms(), surface.value()};
 }
 
-Flow flow_in(std::unique_ptr<FieldSpace> space, const SetUp& s) {
-  return Flow(gauss_particles::disc(1, s.rings, 128), std::move(space),
-              [&](Point r) {
-                const Eigen::Vector2d u = s.gradient * Eigen::Vector2d(r.x, r.y);
-                return Point{u.x(), u.y()};
-              },
+Flow flow_in(std::unique_ptr<gauss_particles::FieldSpace> space, const SetUp& s) {
+  return Flow(gauss_particles::disc(1, s.rings, 128), std::move(space), linear_velocity(s.gradient),
               {.gravity = 0, .penalty = 0});
 }
 
@@ -136,10 +127,9 @@ void take_pressure(Results& r, const Flow& flow, double tau) {
 Results compute(const Run& run) {
   Results r{.set_up = set_up(run)};
   const SetUp& s = r.set_up;
-  Flow flow = flow_in(std::make_unique<SplineSpace>(
-                          LatticePlan{.degree = static_cast<int>(run.integer("degree")), .cell_x = run.real("cell")},
-                          SplineSpace::Settings{.inner_fraction = 0.4}),
-                      s);
+  const gauss_particles::LatticePlan plan{.degree = static_cast<int>(run.integer("degree")),
+                                          .cell_x = run.real("cell")};
+  Flow flow = flow_in(std::make_unique<SplineSpace>(plan, SplineSpace::Settings{.inner_fraction = 0.4}), s);
   r.frames.emplace_back(flow);
   for (long part = 1; part <= pressures; ++part) {
     double before = flow.time();
@@ -153,7 +143,7 @@ Results compute(const Run& run) {
     run.progress(0.09 * static_cast<double>(part));
   }
   r.splines = errors_of(flow, s.drop);
-  Flow linear = flow_in(std::make_unique<PolynomialSpace>(), s);
+  Flow linear = flow_in(std::make_unique<gauss_particles::PolynomialSpace>(), s);
   march(linear, s.end, s.tau);
   r.linear = errors_of(linear, s.drop);
   return r;
@@ -163,9 +153,10 @@ void claims(const Values& values, const Claims<Results>& all) {
   const SetUp s = set_up(values);
   const Claims<Results> claims = all.at(fmt::format("{:g} particles, tau = {:g}", s.particles(), s.tau));
   const double strain = s.gradient.norm() / std::numbers::sqrt2;
-  claims.check(
+  const Claims<Errors> splines = claims.of(&Results::splines);
+  splines.check(
       "places", "The rms error of particle positions is below its second-order estimate, (strain rate times step)^2.",
-      "rms distance from the exact positions [radius]", [](const Results& r) { return r.splines.rms; },
+      "rms distance from the exact positions [radius]", &Errors::rms,
       Bound{std::pow(strain * s.tau, 2),
             "second order: the square of strain rate times step, in radii; the error of Frank's first-order projection "
             "scheme is a fraction of strain rate times step"});
@@ -174,10 +165,9 @@ void claims(const Values& values, const Claims<Results>& all) {
       "The error with splines is at most twice the error with linear fields alone, the error of the time steps.",
       "rms distance over that with linear fields alone", &Results::beside_linear,
       Bound{2, "as much again: an error budget shared equally by steps and splines"});
-  claims.check(
+  splines.check(
       "surface", "The distance of the surface markers from the exact surface is below 1 % of the ring spacing.",
-      "largest distance of a marker from its exact position [radius]",
-      [](const Results& r) { return r.splines.surface; },
+      "largest distance of a marker from its exact position [radius]", &Errors::surface,
       Bound{0.01 * s.spacing(),
             "1 % of the ring spacing, below which particles do not define a surface position; splines without "
             "extension at cut cells have an error of a third of the spacing"});
@@ -188,34 +178,23 @@ void claims(const Values& values, const Claims<Results>& all) {
                      "the grid error of the gradients, up to a tenth, has either sign: a mean over all particles"});
 }
 
-void draw_frames(evidence::Exhibit& exhibit, const Results& r) {
+void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
   auto& figure =
       exhibit.figure("frames", "The drop", "Every fourth surface marker, and the exact ellipse.", {"frank-ellipse"});
   for (const GaussFrame& frame : r.frames) {
-    auto& panel =
-        figure.panel({.x = "x", .y = "y", .title = fmt::format("t = {:g}", frame.time), .equal_aspect = true});
-    std::vector<double> marker_x, marker_y;
-    for (std::size_t k = 0; k < frame.line_x.size(); k += drawn) {
-      marker_x.push_back(frame.line_x[k]);
-      marker_y.push_back(frame.line_y[k]);
+    std::vector<double> x, y;
+    for (std::size_t k = 0; k < frame.line_x.size(); k += 4) {
+      x.push_back(frame.line_x[k]);
+      y.push_back(frame.line_y[k]);
     }
-    panel.points("markers", marker_x, marker_y, Role::computed);
-    draw_outline(panel, r.set_up.drop, frame.time);
+    draw_drop(figure, fmt::format("t = {:g}", frame.time), "markers", x, y, r.set_up.drop, frame.time);
   }
-}
-
-void draw_pressure(evidence::Exhibit& exhibit, const Results& r) {
   auto& panel = add_panel(exhibit, "pressure", "Pressure at the centre",
                           "Fitted to the reactions of single steps, and Dirichlet's.",
                           {.x = "t", .y = "p(0, 0)/density"}, {"frank-ellipse"});
   const std::vector<double> time = evenly(0, r.set_up.end, 101);
   panel.points("fitted", r.pressure_time, r.pressure, Role::computed);
   panel.line("exact", time, each(time, [&](double t) { return r.set_up.drop.at(t).central_pressure; }), Role::exact);
-}
-
-void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
-  draw_frames(exhibit, r);
-  draw_pressure(exhibit, r);
   exhibit.measure("rms_linear_fields", r.linear.rms);
 }
 

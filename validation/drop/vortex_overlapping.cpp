@@ -46,13 +46,13 @@ const std::string source = "Frank, Discrete models of incompressible fluid (1994
 
 constexpr double first_distance = 1e-8;
 constexpr double last_distance = 0.1;  ///< of the growth
-constexpr double quarter = 0.25;
 
 struct SetUp {
   double spacing, tau, rate, at, end;
   long seeds;
 
   [[nodiscard]] long steps() const { return std::lround(end / tau); }
+  [[nodiscard]] std::size_t step_of_statistics() const { return static_cast<std::size_t>(std::lround(at / tau)); }
   /// About as many as the rows hold.
   [[nodiscard]] double particles() const { return 2 * std::numbers::pi / std::numbers::sqrt3 / (spacing * spacing); }
   [[nodiscard]] Point exact(Point r) const {
@@ -92,6 +92,7 @@ struct Course {
   Mean kurtosis = {};                            ///< after `at`
   std::vector<double> residual = {};             ///< at `at`: velocities without the exact flow, over their deviation
   double energy = 0, angular_momentum = 0;       ///< largest defects
+  std::vector<double> distances = {};            ///< of a copy, from the flow that was not disturbed
 };
 
 /// The exact flow taken out of the velocities.
@@ -184,7 +185,7 @@ double distance(const std::vector<double>& a, const std::vector<double>& b) {
   return std::sqrt(square);
 }
 
-/// Slope of the logarithm of the distances, from twice the first one until they reach 0.1.
+/// Slope of the logarithm of a copy's distances, from twice the first one until they reach 0.1.
 double growth_rate(const std::vector<double>& distances, double tau) {
   std::vector<double> time, logarithm;
   for (std::size_t n = 0; n < distances.size() && distances[n] < last_distance; ++n) {
@@ -197,84 +198,73 @@ double growth_rate(const std::vector<double>& distances, double tau) {
 
 struct Results {
   SetUp set_up;
-  Course first;                                 ///< of the flow that was not disturbed
-  std::vector<std::vector<double>> incoherent;  ///< of the copies, after every step
-  std::vector<std::vector<double>> distances;   ///< from the first flow
-  std::vector<double> residual;                 ///< of all copies
-  std::vector<double> incoherent_at, kurtosis, growth, distance_at_end;
-  Worst energy, angular_momentum;
+  Course first;  ///< of the flow that was not disturbed
+  std::vector<Course> copies = {};
 
-  [[nodiscard]] double time(std::size_t step) const { return set_up.tau * static_cast<double>(step); }
-  /// When a quarter of the first flow's energy was noise; NaN: never.
-  [[nodiscard]] double quarter_time() const {
-    const auto found = std::ranges::find_if(first.incoherent, [](double c) { return c > quarter; });
-    return found == first.incoherent.end() ? nan : time(static_cast<std::size_t>(found - first.incoherent.begin()));
+  template <class Get>
+  [[nodiscard]] Estimate over_copies(const Get& get) const {
+    return Estimate(each(copies, get));
+  }
+  /// Of all flows.
+  [[nodiscard]] Worst largest(double Course::*defect) const {
+    Worst largest = over<Worst>(copies, defect);
+    largest.add(first.*defect);
+    return largest;
   }
 };
-
-void claim_statistics(const SetUp& s, const Claims<Results>& all) {
-  const Claims<Results> claims =
-      all.only_if(s.at * s.rate >= 6, "before two thirds of a revolution the flow is not in equilibrium");
-  claims.check(
-      "incoherent", "The incoherent part of the kinetic energy exceeds 90 % after two thirds of a revolution.",
-      "incoherent part of the energy, mean over the copies",
-      [](const Results& r) { return Estimate(r.incoherent_at).measured(); },
-      Bound{.limit = 0.1,
-            .reason = "10 % of the energy corresponds to the exact flow at a third of its velocity: below that no eddy "
-                      "can be identified",
-            .expected = 1});
-  claims.check(
-      "kurtosis", "The kurtosis of the velocities minus the exact flow equals the Gaussian value, 3.",
-      "kurtosis, mean over the copies and the rest of the run",
-      [](const Results& r) { return Estimate(r.kurtosis).measured(); },
-      Bound{.limit = 2 * std::sqrt(24 / (2 * s.particles())),
-            .reason = "2 sqrt(24/2N), two standard deviations of the kurtosis of 2N Gaussian velocities; uniform ones "
-                      "have 1.8, an oscillation 1.5",
-            .expected = 3});
-}
 
 void claims(const Values& values, const Claims<Results>& all) {
   const SetUp s = set_up(values);
   const Claims<Results> claims = all.at(fmt::format("h = {:g}, tau = {:g}, {} copies", s.spacing, s.tau, s.seeds));
-  claim_statistics(s, claims);
+  const Claims<Results> settled =
+      claims.only_if(s.at * s.rate >= 6, "before two thirds of a revolution the flow is not in equilibrium");
+  settled.check(
+      "incoherent", "The incoherent part of the kinetic energy exceeds 90 % after two thirds of a revolution.",
+      "incoherent part of the energy, mean over the copies",
+      [step = s.step_of_statistics()](const Results& r) {
+        return r.over_copies([=](const Course& copy) { return copy.incoherent.at(step); }).measured();
+      },
+      Bound{.limit = 0.1,
+            .reason = "10 % of the energy corresponds to the exact flow at a third of its velocity: below that no eddy "
+                      "can be identified",
+            .expected = 1});
+  settled.check(
+      "kurtosis", "The kurtosis of the velocities minus the exact flow equals the Gaussian value, 3.",
+      "kurtosis, mean over the copies and the rest of the run",
+      [](const Results& r) {
+        return r.over_copies([](const Course& copy) { return copy.kurtosis.value(); }).measured();
+      },
+      Bound{.limit = 2 * std::sqrt(24 / (2 * s.particles())),
+            .reason = "2 sqrt(24/2N), two standard deviations of the kurtosis of 2N Gaussian velocities; uniform ones "
+                      "have 1.8, an oscillation 1.5",
+            .expected = 3});
   const double operations = 40 * static_cast<double>(s.steps());
-  claims.from("Frank (1994), chapter 1")
-      .check("energy", "The energy of the disordered flow is conserved to round-off.",
-             "largest energy error of all flows, over the energy", &Results::energy,
-             Roundoff{.operations = operations,
-                      .scale = 1,
-                      .reason = "in every step the multipliers of a particle's forty volumes, rounded"});
-  claims.from("Frank (1994), chapter 1")
-      .check("angular_momentum", "Angular momentum is conserved to round-off (overlapping particles).",
-             "largest error of all flows", &Results::angular_momentum,
-             Roundoff{.operations = operations,
-                      .scale = s.rate / std::sqrt(s.particles()),
-                      .reason = "as for the energy; scale: sum of m |r| |u|, with particles up to 3 away at speeds of "
-                                "a third of the rate, mass pi; over sqrt N, for independent roundings of particles"});
+  const Claims<Results> conserved = claims.from("Frank (1994), chapter 1");
+  conserved.check(
+      "energy", "The energy of the disordered flow is conserved to round-off.",
+      "largest energy error of all flows, over the energy", [](const Results& r) { return r.largest(&Course::energy); },
+      Roundoff{.operations = operations,
+               .scale = 1,
+               .reason = "in every step the multipliers of a particle's forty volumes, rounded"});
+  conserved.check(
+      "angular_momentum", "Angular momentum is conserved to round-off (overlapping particles).",
+      "largest error of all flows", [](const Results& r) { return r.largest(&Course::angular_momentum); },
+      Roundoff{.operations = operations,
+               .scale = s.rate / std::sqrt(s.particles()),
+               .reason = "as for the energy; scale: sum of m |r| |u|, with particles up to 3 away at speeds of "
+                         "a third of the rate, mass pi; over sqrt N, for independent roundings of particles"});
 }
 
 Results compute(const Run& run) {
   const SetUp s = set_up(run);
   const Particles particles = overlapping_particles::staggered_disc(1, s.spacing);
   Results r{.set_up = s, .first = run_course(s, particles)};
-  r.energy.add(r.first.energy);
-  r.angular_momentum.add(r.first.angular_momentum);
-  const auto at = static_cast<std::size_t>(std::lround(s.at / s.tau));
   for (long seed = 1; seed <= s.seeds; ++seed) {
     run.progress(static_cast<double>(seed) / static_cast<double>(s.seeds + 1));
-    Course course = run_course(s, moved(particles, seed));
-    std::vector<double> distances;
-    for (std::size_t n = 0; n < course.states.size(); ++n)
-      distances.push_back(distance(course.states[n], r.first.states[n]));
-    r.growth.push_back(growth_rate(distances, s.tau));
-    r.distance_at_end.push_back(distances.back());
-    r.incoherent_at.push_back(course.incoherent.at(at));
-    r.kurtosis.push_back(course.kurtosis.value());
-    r.residual.insert(r.residual.end(), course.residual.begin(), course.residual.end());
-    r.energy.add(course.energy, static_cast<double>(seed));
-    r.angular_momentum.add(course.angular_momentum, static_cast<double>(seed));
-    r.incoherent.push_back(std::move(course.incoherent));
-    r.distances.push_back(std::move(distances));
+    Course& copy = r.copies.emplace_back(run_course(s, moved(particles, seed)));
+    copy.distances =
+        each(indices(copy.states.size()), [&](std::size_t n) { return distance(copy.states[n], r.first.states[n]); });
+    copy.states.clear();
   }
   return r;
 }
@@ -284,31 +274,35 @@ void draw_history(const Results& r, evidence::Exhibit& exhibit) {
       "history", "From an eddy to noise",
       "Incoherent part of the energy, of the first flow and of copies; distances of the copies from the first flow.",
       {"frank-overlapping"});
-  const std::vector<double> time = each(indices(r.first.incoherent.size()), [&](std::size_t n) { return r.time(n); });
+  const std::vector<double> time =
+      each(indices(r.first.incoherent.size()), [&](std::size_t n) { return r.set_up.tau * static_cast<double>(n); });
   auto& incoherent = figure.panel({.x = "t", .y = "incoherent part"});
   auto& distances = figure.panel({.x = "t", .y = "distance", .log_y = true});
   incoherent.line("first flow", time, r.first.incoherent, Role::computed);
-  for (std::size_t c = 0; c < std::min<std::size_t>(3, r.incoherent.size()); ++c) {
-    incoherent.line(fmt::format("copy {}", c + 1), time, r.incoherent[c]);
-    distances.line(fmt::format("copy {}", c + 1), time, r.distances[c]);
+  for (std::size_t c = 0; c < std::min<std::size_t>(3, r.copies.size()); ++c) {
+    incoherent.line(fmt::format("copy {}", c + 1), time, r.copies[c].incoherent);
+    distances.line(fmt::format("copy {}", c + 1), time, r.copies[c].distances);
   }
+  // When a quarter of the first flow's energy was noise.
+  const auto noisy = std::ranges::find_if(r.first.incoherent, [](double part) { return part > 0.25; });
+  if (noisy == r.first.incoherent.end()) return;
+  exhibit.measure("quarter_incoherent_time", time[static_cast<std::size_t>(noisy - r.first.incoherent.begin())]);
 }
 
 void draw_velocities(const Results& r, evidence::Exhibit& exhibit) {
   constexpr int bins = 32;
   constexpr double reach = 4;
   constexpr double width = 2 * reach / bins;
-  std::vector<double> middle(bins);
+  std::vector<double> residual;
+  for (const Course& copy : r.copies) std::ranges::copy(copy.residual, std::back_inserter(residual));
+  const auto middle =
+      each(indices(bins), [](std::size_t b) { return -reach + (static_cast<double>(b) + 0.5) * width; });
+  const auto gaussian = each(middle, [](double v) { return std::exp(-v * v / 2) / std::sqrt(2 * std::numbers::pi); });
   std::vector<double> density(bins, 0.0);
-  std::vector<double> gaussian(bins);
-  for (std::size_t b = 0; b < bins; ++b) {
-    middle[b] = -reach + (static_cast<double>(b) + 0.5) * width;
-    gaussian[b] = std::exp(-middle[b] * middle[b] / 2) / std::sqrt(2 * std::numbers::pi);
-  }
-  for (const double v : r.residual) {
+  for (const double v : residual) {
     const double b = std::floor((v + reach) / width);
-    if (b >= 0 && b < bins)
-      density[static_cast<std::size_t>(b)] += 1 / (width * static_cast<double>(r.residual.size()));
+    if (b < 0 || b >= bins) continue;
+    density[static_cast<std::size_t>(b)] += 1 / (width * static_cast<double>(residual.size()));
   }
   auto& panel = add_panel(exhibit, "velocities", "Velocities without the exact flow",
                           "Of all particles of all copies, over their standard deviation.",
@@ -320,14 +314,13 @@ void draw_velocities(const Results& r, evidence::Exhibit& exhibit) {
 void show(const Results& r, const Values& /*values*/, evidence::Exhibit& exhibit) {
   draw_history(r, exhibit);
   draw_velocities(r, exhibit);
-  const auto estimate = [&](const std::string& name, const std::vector<double>& samples) {
-    const Estimate of(samples);
+  const auto estimate = [&](const std::string& name, const auto& of_copy) {
+    const Estimate of = r.over_copies(of_copy);
     exhibit.measure(name, of.mean);
     exhibit.measure(name + "_half_width", of.half_width);
   };
-  estimate("growth_rate", r.growth);
-  estimate("distance_at_end", r.distance_at_end);
-  if (std::isfinite(r.quarter_time())) exhibit.measure("quarter_incoherent_time", r.quarter_time());
+  estimate("growth_rate", [&](const Course& copy) { return growth_rate(copy.distances, r.set_up.tau); });
+  estimate("distance_at_end", [](const Course& copy) { return copy.distances.back(); });
 }
 
 void vortex_overlapping(Case& c) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <memory>
 #include <utility>
@@ -22,8 +23,8 @@ namespace {
 using exact::StokesWave;
 
 /// The surface itself is the end of the exact field: points above it by rounding are put on it.
-Point velocity_at(const StokesWave& wave, double x, double y) {
-  const auto v = wave.velocity(x, std::min(y, wave.elevation(x) - 1e-13));
+Point velocity_at(const StokesWave& wave, Point at) {
+  const auto v = wave.velocity(at.x, std::min(at.y, wave.elevation(at.x) - 1e-13));
   return {v.u, v.v};
 }
 
@@ -35,7 +36,7 @@ class Path {
     for (long n = 0; n <= steps * periods + 1; ++n) {
       const double t = static_cast<double>(n) * step_;
       const auto rate = [&](Point at, double later) {
-        return velocity_at(wave, at.x - wave.phase_speed() * (t + later), at.y);
+        return velocity_at(wave, {at.x - wave.phase_speed() * (t + later), at.y});
       };
       const auto moved = [&](Point v, double h) { return Point{from.x + h * v.x, from.y + h * v.y}; };
       const Point k1 = rate(from, 0);
@@ -99,13 +100,24 @@ PeriodicWater water_of(const StokesWave& wave) {
           .gravity = wave.gravity(),
           .highest = 4 * wave.amplitude(),
           .elevation = [wave](double x) { return wave.elevation(x); },
-          .velocity = [wave](Point at) { return velocity_at(wave, at.x, at.y); },
+          .velocity = [wave](Point at) { return velocity_at(wave, at); },
           .pressure =
               [wave](Point at) {
-                const Point v = velocity_at(wave, at.x, at.y);
+                const Point v = velocity_at(wave, at);
                 const double relative = v.x - wave.phase_speed();
                 return wave.bernoulli_constant() - 0.5 * (relative * relative + v.y * v.y) - wave.gravity() * at.y;
               }};
+}
+
+/// @param began    processor time
+/// @param station  advances to an instant and looks
+/// @param waves    that the model computed
+Followed followed(double began, double size, const std::vector<double>& instants,
+                  const std::function<Station(double instant)>& station, double waves = 1) {
+  Followed all{.size = size};
+  for (const double instant : instants) all.stations.push_back(station(instant));
+  all.seconds = (processor_seconds() - began) / waves;
+  return all;
 }
 
 }  // namespace
@@ -116,7 +128,7 @@ double excess_speed(const StokesWave& wave) {
 }
 
 Followed follow_particles(const StokesWave& wave, long cells, const std::vector<double>& instants) {
-  using gauss_particles::LatticePlan;
+  using gauss_particles::SplineSpace;
   const double began = processor_seconds();
   const double length = wave.wavelength();
   const double cell = length / static_cast<double>(cells);
@@ -129,29 +141,24 @@ Followed follow_particles(const StokesWave& wave, long cells, const std::vector<
            .surface = [&](double x) { return wave.elevation(x); },
            .bottom = [&](double) { return -wave.mean_depth(); },
            .markers = 20 * static_cast<std::size_t>(cells)}),
-      std::make_unique<gauss_particles::SplineSpace>(LatticePlan{.cell_x = cell,
+      std::make_unique<SplineSpace>(gauss_particles::LatticePlan{.cell_x = cell,
                                                                  .left_wall = 0.0,
                                                                  .period = length,
                                                                  .bottom = true,
                                                                  .ground = {.level = -wave.mean_depth()}},
-                                                     gauss_particles::SplineSpace::Settings{.inner_fraction = 0.9}),
-      [&](Point r) { return velocity_at(wave, r.x, r.y); },
+                                    SplineSpace::Settings{.inner_fraction = 0.9}),
+      [&](Point r) { return velocity_at(wave, r); },
       {.gravity = wave.gravity(),
        .penalty = 0,
        .surface = gauss_particles::SurfaceLine{.period = length, .exact_energy = true}});
   const double kinetic = flow.energy();
-  Followed followed{.size = cell};
-  for (const double n : instants) {
+  return followed(began, cell, instants, [&](double n) -> Station {
     march(flow, n * period_of(wave), particles_courant * cell / wave.phase_speed());
     std::vector<Point> surface = flow.markers();
-    for (Point& marker : surface) {
-      marker.x = length + std::remainder(marker.x, length);
-    }
+    for (Point& marker : surface) marker.x = length + std::remainder(marker.x, length);
     std::ranges::sort(surface, {}, &Point::x);
-    followed.stations.push_back({flow.time(), std::move(surface), flow.energy() / kinetic - 1});
-  }
-  followed.seconds = processor_seconds() - began;
-  return followed;
+    return {flow.time(), std::move(surface), flow.energy() / kinetic - 1};
+  });
 }
 
 Followed follow_mesh(const StokesWave& wave, long rows, const std::vector<double>& instants) {
@@ -168,19 +175,14 @@ Followed follow_mesh(const StokesWave& wave, long rows, const std::vector<double
        .rows = static_cast<std::size_t>(rows),
        .elevation = [&](double x) { return wave.elevation(x); }});
   mesh.sides.left = mesh.sides.right = led(wave, periods);
-  lagrangian_mesh_2d::Flow flow(mesh, [&](Point r) { return velocity_at(wave, r.x, r.y); });
-  Followed followed{.size = h};
-  for (const double n : instants) {
+  lagrangian_mesh_2d::Flow flow(mesh, [&](Point r) { return velocity_at(wave, r); });
+  const auto station = [&](double n) -> Station {
     march(flow, n * period_of(wave), 0.4 * h / std::sqrt(wave.gravity() * wave.mean_depth()));
-    std::vector<Point> surface;
-    for (std::size_t i = 0; i < flow.surface_x().size(); ++i) {
-      if (std::abs(flow.surface_x()[i] - n * length) > 0.5 * length) continue;
-      surface.push_back({flow.surface_x()[i], flow.surface_y()[i]});
-    }
-    followed.stations.push_back({flow.time(), std::move(surface), nan});
-  }
-  followed.seconds = (processor_seconds() - began) / static_cast<double>(waves);
-  return followed;
+    std::vector<Point> surface = joined({flow.surface_x(), flow.surface_y()});
+    std::erase_if(surface, [&](Point at) { return std::abs(at.x - n * length) > 0.5 * length; });
+    return {flow.time(), std::move(surface), nan};
+  };
+  return followed(began, h, instants, station, static_cast<double>(waves));
 }
 
 Followed follow_dispersive(const exact::SerreCnoidal& wave, double period, long cells,
@@ -200,13 +202,10 @@ Followed follow_dispersive(const exact::SerreCnoidal& wave, double period, long 
   Flow flow(channel, moved_markers(
                          channel, equal_labels(channel, 0, length, static_cast<std::size_t>(cells)), motion,
                          [&](double x) { return wave.excess_up_to(x); }, 0));
-  Followed followed{.size = spacing};
-  for (const double n : instants) {
+  return followed(began, spacing, instants, [&](double n) -> Station {
     march(flow, n * period, 0.25 * spacing / std::sqrt(wave.gravity() * wave.depth()));
-    followed.stations.push_back({flow.time(), joined({flow.x(), flow.y()}), nan});
-  }
-  followed.seconds = processor_seconds() - began;
-  return followed;
+    return {flow.time(), joined({flow.x(), flow.y()}), nan};
+  });
 }
 
 Followed follow_sph(const StokesWave& wave, long rows, const std::vector<double>& instants) {
@@ -214,13 +213,10 @@ Followed follow_sph(const StokesWave& wave, long rows, const std::vector<double>
   const PeriodicWater water = water_of(wave);
   wcsph::Flow flow = start_sph(water, wave.mean_depth() / static_cast<double>(rows));
   const double length = wave.wavelength();
-  Followed followed{.size = flow.spacing()};
-  for (const double n : instants) {
+  return followed(began, flow.spacing(), instants, [&](double n) -> Station {
     march(flow, n * period_of(wave));
-    followed.stations.push_back({flow.time(), surface_of(flow, water, 0.5 * length, 1.5 * length), nan});
-  }
-  followed.seconds = processor_seconds() - began;
-  return followed;
+    return {flow.time(), surface_of(flow, water, 0.5 * length, 1.5 * length), nan};
+  });
 }
 
 }  // namespace seiche::validation

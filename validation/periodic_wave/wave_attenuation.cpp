@@ -57,13 +57,14 @@ struct Course {
   std::string model;
   double height = 0;  ///< of the wave
   double size = 0;
-  double seconds = 0;                 ///< for one wavelength of water and of way
-  std::vector<double> way;            ///< in wavelengths
-  std::vector<Fundamental> stations;  ///< the beginning is not among them
-  Rates rates;
+  double seconds = 0;                      ///< for one wavelength of water and of way
+  std::vector<double> way = {};            ///< in wavelengths
+  std::vector<Fundamental> stations = {};  ///< the beginning is not among them
+  Rates rates = {};
   double energy_change = 0;  ///< at the end
 
-  [[nodiscard]] double cells_per_height() const { return height / size; }
+  [[nodiscard]] double decay() const { return rates.decay; }
+  [[nodiscard]] double lead() const { return rates.lead; }
 };
 
 Course course_of(const std::string& model, const StokesWave& wave, const Followed& followed) {
@@ -86,11 +87,6 @@ Course course_of(const std::string& model, const StokesWave& wave, const Followe
 
 using Results = std::vector<Course>;
 
-std::vector<double> heights_of(const Values& values) {
-  const double highest = values.real("height");
-  return {highest / 4, highest / 2, highest};
-}
-
 /// Resolutions of a model, from coarse to fine.
 std::vector<long> ladder(Tier tier, long finest) {
   if (tier == Tier::quick) return {std::lround(0.5 * static_cast<double>(finest)), finest};
@@ -103,28 +99,21 @@ Results compute(const Run& run) {
   const std::vector<double> mesh_instants = ways(run.integer("mesh_periods"));
   Results results;
   std::vector<std::function<void()>> work;
-  const auto later = [&](const std::function<Course()>& compute) {
-    work.emplace_back([&results, compute] { results.push_back(compute()); });
+  const auto later = [&](const std::string& model, const std::string& finest, const StokesWave& wave, auto follow) {
+    for (const long n : ladder(run.tier(), run.integer(finest))) {
+      work.emplace_back([=, &results] { results.push_back(course_of(model, wave, follow(n))); });
+    }
   };
-  for (const double height : heights_of(run)) {
+  const double highest = run.real("height");
+  for (const double height : {highest / 4, highest / 2, highest}) {
     const StokesWave wave = wave_of(height, length);
-    for (const long n : ladder(run.tier(), run.integer("cells"))) {
-      later([=] { return course_of("particles", wave, follow_particles(wave, n, instants)); });
-    }
-    for (const long n : ladder(run.tier(), run.integer("markers"))) {
-      later([=] {
-        const SerreCnoidal own(height, length, 1, 1);
-        return course_of("dispersive", wave, follow_dispersive(own, period_of(wave), n, instants));
-      });
-    }
-    for (const long n : ladder(run.tier(), run.integer("rows"))) {
-      later([=] { return course_of("mesh", wave, follow_mesh(wave, n, mesh_instants)); });
-    }
+    later("particles", "cells", wave, [=](long n) { return follow_particles(wave, n, instants); });
+    later("dispersive", "markers", wave,
+          [=](long n) { return follow_dispersive(SerreCnoidal(height, length, 1, 1), period_of(wave), n, instants); });
+    later("mesh", "rows", wave, [=](long n) { return follow_mesh(wave, n, mesh_instants); });
   }
-  const StokesWave steepest = wave_of(run.real("height"), length);
-  for (const long n : ladder(run.tier(), run.integer("sph_rows"))) {
-    later([=] { return course_of("sph", steepest, follow_sph(steepest, n, instants)); });
-  }
+  const StokesWave steepest = wave_of(highest, length);
+  later("sph", "sph_rows", steepest, [=](long n) { return follow_sph(steepest, n, instants); });
   one_by_one(run, work);
   return results;
 }
@@ -134,10 +123,9 @@ const Course& finest(const Results& results, const std::string& model) {
   const Course* found = nullptr;
   for (const Course& one : results) {
     if (one.model != model) continue;
-    const bool finer = found != nullptr && one.height == found->height && one.size < found->size;
-    if (found == nullptr || one.height > found->height || finer) found = &one;
+    if (!found || std::pair(-one.height, one.size) < std::pair(-found->height, found->size)) found = &one;
   }
-  if (found == nullptr) throw std::logic_error("no course of " + model);
+  if (!found) throw std::logic_error("no course of " + model);
   return *found;
 }
 
@@ -147,7 +135,7 @@ Measurement worst_over_heights(const Results& results, const std::string& model,
   Worst worst;
   for (const Course& one : results) {
     if (one.model != model || one.size > finest(results, model).size) continue;
-    worst.add(number(one), one.height);
+    worst.add(std::invoke(number, one), one.height);
   }
   return {.value = worst.value(), .where = fmt::format("H = {:g}", worst.where())};
 }
@@ -171,9 +159,7 @@ void claim_height(const Claims<Results>& claims, const std::string& model, const
   claims.from(attenuation_source)
       .check(
           model + "-height", text, "height lost per wavelength, largest of three waves",
-          [model](const Results& r) {
-            return worst_over_heights(r, model, [](const Course& one) { return one.rates.decay; });
-          },
+          [model](const Results& r) { return worst_over_heights(r, model, &Course::decay); },
           Bound{.limit = per_wavelength, .reason = per_wavelength_reason});
 }
 
@@ -233,8 +219,6 @@ void claim_sph(const Claims<Results>& claims, const Values& values) {
 }
 
 void claims(const Values& values, const Claims<Results>& all) {
-  const double length = values.real("length");
-  const StokesWave steepest = wave_of(values.real("height"), length);
   claim_particles(all.at(fmt::format("{} cells per wavelength", values.integer("cells"))), values);
   const Claims<Results> mesh = all.at(fmt::format("{} rows", values.integer("rows")));
   claim_height(mesh, "mesh", "The decay of the wave height on the Lagrangian mesh is at most 0.5 % per wavelength.");
@@ -242,9 +226,7 @@ void claims(const Values& values, const Claims<Results>& all) {
       .check(
           "mesh-phase", "The phase error of the Lagrangian mesh is below 0.5 % of a wavelength per wavelength.",
           "phase lead per wavelength, largest of three waves [wavelengths]",
-          [](const Results& r) {
-            return worst_over_heights(r, "mesh", [](const Course& one) { return one.rates.lead; });
-          },
+          [](const Results& r) { return worst_over_heights(r, "mesh", &Course::lead); },
           Bound{.limit = per_wavelength, .reason = per_wavelength_reason});
   const Claims<Results> dispersive = all.at(fmt::format("{} nodes per wavelength", values.integer("markers")));
   claim_height(dispersive, "dispersive",
@@ -255,7 +237,7 @@ void claims(const Values& values, const Claims<Results>& all) {
           "The phase lag of the dispersive model agrees with the celerity deficit of its equations within 10 %, at "
           "every height.",
           "relative difference, largest of three waves",
-          [length](const Results& r) {
+          [length = values.real("length")](const Results& r) {
             return worst_over_heights(
                 r, "dispersive", [&](const Course& one) { return one.rates.lead / own_lead(one.height, length) - 1; });
           },
@@ -291,13 +273,12 @@ void show(const Results& results, const Values& /*values*/, evidence::Exhibit& e
     std::vector<double> cells, decays, phases, seconds, larger;
     for (const Course& one : results) {
       if (one.model != model.id) continue;
-      cells.push_back(one.cells_per_height());
-      decays.push_back(std::abs(one.rates.decay));
-      phases.push_back(std::abs(one.rates.lead));
+      cells.push_back(one.height / one.size);
+      decays.push_back(std::abs(one.decay()));
+      phases.push_back(std::abs(one.lead()));
       seconds.push_back(one.seconds);
       larger.push_back(std::max(decays.back(), phases.back()));
-      table.rows.push_back(
-          {model.name, one.height, one.size, cells.back(), one.rates.decay, one.rates.lead, one.seconds});
+      table.rows.push_back({model.name, one.height, one.size, cells.back(), one.decay(), one.lead(), one.seconds});
     }
     decay.points(model.name, cells, decays, model.role);
     phase.points(model.name, cells, phases, model.role);

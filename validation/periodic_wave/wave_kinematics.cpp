@@ -42,38 +42,33 @@ struct Wave {
   exact::SelfTest identities;
 };
 
-template <class W>
-Wave described(const W& wave) {
-  return {.elevation = [wave](double x) { return wave.elevation(x); },
-          .velocity = [wave](double x, double y) { return wave.velocity(x, y); },
-          .crest_velocity = wave.crest_velocity(),
-          .identities = wave.self_test()};
-}
-
 Wave wave_of(const Values& values) {
   const double height = values.real("height");
   const double depth = values.real("depth");
   const double gravity = values.real("gravity");
   const std::string words = fmt::format("depth={:.17g},gravity={:.17g}", depth, gravity);
-  Wave wave;
-  if (values.text("wave") == "stokes") {
-    const double length = values.real("wavelength");
-    const exact::StokesWave stokes(height / 2, length, depth, gravity);
-    wave = described(stokes);
-    wave.speed = stokes.phase_speed();
-    wave.sections = {0, length / 8, length / 4, length / 2};
-    wave.period = length;
-    wave.command =
-        fmt::format("seiche exact stokes --set amplitude={:.17g},wavelength={:.17g},{}", height / 2, length, words);
-  } else {
-    const exact::SolitaryWave solitary(height, depth, gravity);
-    wave = described(solitary);
-    wave.speed = solitary.speed();
-    wave.sections = {0, depth / 2, depth, 2 * depth};
-    wave.command = fmt::format("seiche exact solitary --set amplitude={:.17g},{}", height, words);
+  const auto described = [depth](const auto& wave, double speed, const std::vector<double>& sections, double period,
+                                 const std::string& command) -> Wave {
+    return {.elevation = [wave](double x) { return wave.elevation(x); },
+            .velocity = [wave](double x, double y) { return wave.velocity(x, y); },
+            .speed = speed,
+            .depth = depth,
+            .crest_velocity = wave.crest_velocity(),
+            .sections = sections,
+            .period = period,
+            .command = command,
+            .identities = wave.self_test()};
+  };
+  if (values.text("wave") == "solitary") {
+    const exact::SolitaryWave wave(height, depth, gravity);
+    return described(wave, wave.speed(), {0, depth / 2, depth, 2 * depth}, 0,
+                     fmt::format("seiche exact solitary --set amplitude={:.17g},{}", height, words));
   }
-  wave.depth = depth;
-  return wave;
+  const double length = values.real("wavelength");
+  const exact::StokesWave wave(height / 2, length, depth, gravity);
+  return described(
+      wave, wave.phase_speed(), {0, length / 8, length / 4, length / 2}, length,
+      fmt::format("seiche exact stokes --set amplitude={:.17g},wavelength={:.17g},{}", height / 2, length, words));
 }
 
 /// Heights in a section, from a twentieth of the water's depth there to nineteen.
@@ -150,7 +145,13 @@ std::vector<WantedTable> wanted(const Values& values) {
                  "largest.",
          .source = source}};
   };
-  WantedTable table{
+  std::vector<std::string> exact;
+  for (const double section : wave.sections) {
+    const std::vector<double> y = heights(wave, section);
+    exact.push_back(fmt::format("{} --grid x={:.17g},y={:.17g}:{:.17g}:{},t={:.17g}", wave.command, place(section),
+                                y.front(), y.back(), y.size(), time));
+  }
+  return {{
       .name = "velocities",
       .kind = WantedTable::Kind::profile,
       .group = Column{"x", "m", fmt::format("position of the section, at t = {:.10g} s", time)},
@@ -161,19 +162,10 @@ std::vector<WantedTable> wanted(const Values& values) {
                      {.column = {"v", "m/s", "vertical velocity, positive upwards"},
                       .reference = [=](Place p) { return wave.velocity(from_crest(p.group), p.abscissa).v; },
                       .requirements = close(vertical.value())}},
-      .points = [=](double x) { return heights(wave, from_crest(x)); }};
-  std::vector<double> places;
-  std::vector<std::string> exact;
-  for (const double section : wave.sections) {
-    const double x = place(section);
-    const std::vector<double> y = heights(wave, section);
-    places.push_back(x);
-    exact.push_back(fmt::format("{} --grid x={:.17g},y={:.17g}:{:.17g}:{},t={:.17g}", wave.command, x, y.front(),
-                                y.back(), y.size(), time));
-  }
-  table.groups = places;
-  table.exact = exact;
-  return {table};
+      .groups = each(wave.sections, place),
+      .points = [=](double x) { return heights(wave, from_crest(x)); },
+      .exact = exact,
+  }};
 }
 
 void judge(const Values& /*values*/, const Submitted& submitted, const SolverFacts& /*facts*/,

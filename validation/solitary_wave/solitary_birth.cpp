@@ -57,23 +57,19 @@ using exact::AsymptoticSolitary;
 using exact::SolitaryWave;
 using lagrangian_mesh_2d::Flow;
 
-// Solitary waves that a hump of water at the end of a long tank gives birth to, on the two-dimensional Lagrangian
-// mesh. Depth and gravity are 1.
+const std::string source = "Frank (1994), chapter 2, figure 1 and table";
 
-inline constexpr double birth_tank = 170;  // length
-
-inline constexpr double birth_duration = 130;
-
-inline constexpr double birth_separated = 65;  // from then on the crest is measured
-
-inline constexpr double birth_reach = 6;  // of the profile, from the crest
+constexpr double birth_tank = 170;  // length
+constexpr double birth_duration = 130;
+constexpr double birth_separated = 65;  // from then on the crest is measured
+constexpr double birth_reach = 6;       // of the profile, from the crest
 
 /// a0 sech^2(x/w).
 struct Hump {
   double height, width;
 };
 
-inline constexpr std::array<Hump, 4> starts{{{0.39, 3}, {0.56, 3}, {0.77, 3}, {0.98, 2.7}}};
+constexpr std::array<Hump, 4> starts{{{0.39, 3}, {0.56, 3}, {0.77, 3}, {0.98, 2.7}}};
 
 struct Born {
   CrestTrack track;
@@ -91,7 +87,6 @@ struct Family {
   MeshResolution mesh;
   std::vector<Born> waves;
 
-  [[nodiscard]] std::vector<double> amplitudes() const { return each(waves, &Born::amplitude); }
   /// A quantity at a height, linear between the waves.
   template <class Quantity>
   [[nodiscard]] double at(double amplitude, const Quantity& quantity) const {
@@ -105,31 +100,37 @@ struct Family {
   [[nodiscard]] double speed_at(double amplitude) const { return at(amplitude, std::mem_fn(&Born::speed)); }
 };
 
-using lagrangian_mesh_2d::Settings;
-
-lagrangian_mesh_2d::Flow raised(const Hump& hump, const MeshResolution& mesh, double hourglass) {
+Flow raised(const Hump& hump, const MeshResolution& mesh, double hourglass) {
   lagrangian_mesh_2d::Layer layer = tank(birth_tank, 1, mesh);
   layer.elevation = [&](double x) {
     const double s = 1 / std::cosh(x / hump.width);
     return hump.height * s * s;
   };
-  return lagrangian_mesh_2d::Flow(layer_mesh(layer), {}, {}, Settings{.hourglass = hourglass});
+  return Flow(layer_mesh(layer), {}, {}, lagrangian_mesh_2d::Settings{.hourglass = hourglass});
 }
 
+/// Both waves that a profile is compared with, of its crest's height.
+struct Theory {
+  explicit Theory(double amplitude) : exact(amplitude), laitone(AsymptoticSolitary::Theory::laitone, amplitude) {}
+  SolitaryWave exact;
+  AsymptoticSolitary laitone;
+};
+
 /// Follows the crest to the end.
-Born follow(lagrangian_mesh_2d::Flow& flow, double tau, const std::function<void()>& after_step = {}) {
+Born follow(Flow& flow, double tau, const std::function<void()>& after_step = {}) {
   Born born{.track = follow_crest(flow, birth_duration, tau, after_step)};
   born.amplitude = born.track.mean_elevation(birth_separated);
   born.speed = born.track.speed(birth_separated);
-  const SolitaryWave exact(born.end_amplitude());
-  const AsymptoticSolitary laitone(AsymptoticSolitary::Theory::laitone, born.end_amplitude());
-  const double crest = born.track.place.back();
-  born.from_exact = largest_profile_error(flow, crest, birth_reach, [&](double s) { return exact.elevation(s); });
-  born.from_laitone = largest_profile_error(flow, crest, birth_reach, [&](double s) { return laitone.elevation(s); });
+  const Theory theory(born.end_amplitude());
+  const auto distance_from = [&](const auto& wave) {
+    return largest_profile_error(flow, born.track.place.back(), birth_reach,
+                                 [&](double s) { return wave.elevation(s); });
+  };
+  born.from_exact = distance_from(theory.exact);
+  born.from_laitone = distance_from(theory.laitone);
   return born;
 }
 
-const std::string source = "Frank (1994), chapter 2, figure 1 and table";
 /// The meshes of a tier, without their waves.
 std::vector<Family> families(Tier tier) {
   std::vector<MeshResolution> meshes = {{1, 2, 0.1}, {0.5, 4, 0.1}};
@@ -143,19 +144,12 @@ std::vector<Family> families(Tier tier) {
 
 /// Speed of exact waves of heights 0.1 to 0.65: between eight of them, which take a tenth of a second each, by a
 /// rational function, to 1e-6.
-class EulerSpeed {
- public:
-  EulerSpeed() : between_(heights().data(), speeds().data(), 8, 5) {}
-  double operator()(double amplitude) const { return between_(amplitude); }
-
- private:
-  static std::vector<double> heights() { return evenly(0.1, 0.65, 8); }
-  static std::vector<double> speeds() {
-    return each(heights(), [&](const double a) { return SolitaryWave(a).speed(); });
-  }
-
-  boost::math::barycentric_rational<double> between_;
-};
+using EulerSpeed = boost::math::barycentric_rational<double>;
+EulerSpeed euler_speed() {
+  const std::vector<double> heights = evenly(0.1, 0.65, 8);
+  const std::vector<double> speeds = each(heights, [](double a) { return SolitaryWave(a).speed(); });
+  return {heights.data(), speeds.data(), heights.size(), 5};
+}
 
 /// The surface on the way.
 struct Surface {
@@ -167,7 +161,7 @@ struct Results {
   Flow flow;  ///< of the wave of the parameters, at the end
   Born own = {};
   std::vector<Surface> birth = {};
-  EulerSpeed euler = {};
+  EulerSpeed euler = euler_speed();
   std::vector<Family> families;
   Born from_exact = {};  ///< the exact wave, let run on the coarsest mesh
 
@@ -178,12 +172,11 @@ MeshResolution own_mesh(const Values& values) {
   return {values.real("h1"), values.integer("rows"), values.real("tau")};
 }
 
-Born follow_exact_wave(const MeshResolution& resolution) {
+Flow exact_wave(const MeshResolution& resolution) {
   const SolitaryWave wave(0.3);
   const PlacedWave placed{wave, 12};
   const lagrangian_mesh_2d::Mesh mesh = placed.mesh(birth_tank, resolution);
-  Flow flow(mesh, impulsive_start(mesh, [&](double x) { return placed.surface_potential(x); }));
-  return follow(flow, resolution.tau);
+  return Flow(mesh, impulsive_start(mesh, [&](double x) { return placed.surface_potential(x); }));
 }
 
 Results compute(const Run& run) {
@@ -192,9 +185,8 @@ Results compute(const Run& run) {
   double next = 0;
   const auto keep = [&] {
     if (r.flow.time() < next - 1e-9) return;
-    const auto x = r.flow.surface_x();
-    const auto y = r.flow.surface_y();
-    r.birth.push_back({next, {x.begin(), x.end()}, {y.begin(), y.end()}});
+    const auto& [x, y] = surface_nodes(r.flow, {});
+    r.birth.push_back({next, x, y});
     next = next < 30 ? next + 10 : next + 50;
   };
   keep();
@@ -207,24 +199,9 @@ Results compute(const Run& run) {
     }
     run.progress(static_cast<double>(&family - r.families.data() + 1) / static_cast<double>(r.families.size() + 1));
   }
-  r.from_exact = follow_exact_wave(r.coarsest().mesh);
+  Flow exact = exact_wave(r.coarsest().mesh);
+  r.from_exact = follow(exact, r.coarsest().mesh.tau);
   return r;
-}
-
-void claim_source_table(const Claims<Family>& claims, const io::Table& published) {
-  claims.check(
-      "source-table",
-      "The wave speeds agree with the table of Frank (1994) at equal height within 0.005 sqrt(g h), its printed digits "
-      "and mesh error.",
-      "largest difference [sqrt(g depth)]",
-      [published](const Family& coarse) {
-        return over<Worst>(indices(published.rows()), [&](std::size_t k) {
-          return coarse.speed_at(published.column("A")[k]) - published.column("C")[k];
-        });
-      },
-      Bound{.limit = 0.005,
-            .reason = "half a unit of the last digit of A changes C by 0.002, half a unit of C is 0.0005; the source "
-                      "does not state its mesh: one twice as fine changes C by up to 0.003 at the same height"});
 }
 
 /// Of the distances of speeds from the Euler equations' on a mesh and on the one before, the largest ratio.
@@ -246,8 +223,23 @@ double profiles_approach(const Results& r, std::size_t mesh) {
       .value();
 }
 
-/// Meshes one after the other come nearer to the Euler equations.
-void claim_approach(const Claims<Results>& claims, const std::vector<Family>& all) {
+void claims(const Values& values, const Claims<Results>& claims) {
+  const std::vector<Family> all = families(values.tier());
+  const Claims<Family> coarsest = claims.at(all.front().label).of(&Results::coarsest);
+  const Bound nearer{.limit = 1, .reason = "nearer means less than 1"};
+  coarsest.check(
+      "source-table",
+      "The wave speeds agree with the table of Frank (1994) at equal height within 0.005 sqrt(g h), its printed digits "
+      "and mesh error.",
+      "largest difference [sqrt(g depth)]",
+      [published = values.table("frank_1994_celerity")](const Family& coarse) {
+        return over<Worst>(indices(published.rows()), [&](std::size_t k) {
+          return coarse.speed_at(published.column("A")[k]) - published.column("C")[k];
+        });
+      },
+      Bound{.limit = 0.005,
+            .reason = "half a unit of the last digit of A changes C by 0.002, half a unit of C is 0.0005; the source "
+                      "does not state its mesh: one twice as fine changes C by up to 0.003 at the same height"});
   for (std::size_t m = 1; m < all.size(); ++m) {
     const auto claim = [&](const char* id, const char* what, double (*approach)(const Results&, std::size_t)) {
       claims.at(all[m].label)
@@ -255,16 +247,12 @@ void claim_approach(const Claims<Results>& claims, const std::vector<Family>& al
               fmt::format("euler-{}-{}", id, all[m].mesh.rows),
               fmt::format("The {} with {} rows are nearer to the Euler equations than with half as many rows.", what,
                           all[m].mesh.rows),
-              "largest ratio of the distances", [approach, m](const Results& r) { return approach(r, m); },
-              Bound{.limit = 1, .reason = "nearer means less than 1"});
+              "largest ratio of the distances", [=](const Results& r) { return approach(r, m); }, nearer);
     };
     claim("speed", "speeds at equal height", speeds_approach);
     claim("profile", "profiles", profiles_approach);
   }
-}
-
-void claim_second_approximation(const Claims<Family>& claims) {
-  claims.check(
+  coarsest.check(
       "second-approximation",
       "The profiles on cells one depth wide are nearer to the second approximation than to the exact wave, as in the "
       "figure of Frank (1994).",
@@ -273,12 +261,8 @@ void claim_second_approximation(const Claims<Family>& claims) {
         return over<Largest>(coarse.waves, [](const Born& wave) { return wave.from_laitone / wave.from_exact; })
             .value();
       },
-      Bound{.limit = 1, .reason = "nearer means less than 1"});
-}
-
-/// The same wave however it was made: the exact Euler wave, let run on the coarsest mesh, ends on the curve of waves
-/// born from humps.
-void claim_one_curve(const Claims<Results>& claims) {
+      nearer);
+  // The same wave however it was made: the exact one ends on the curve of waves born from humps.
   claims
       .at([](const Results& r) {
         return r.coarsest().label + fmt::format(", A = {:.4f} at last", r.from_exact.amplitude);
@@ -291,10 +275,7 @@ void claim_one_curve(const Claims<Results>& claims) {
           Bound{.limit = 7e-4,
                 .reason = "linear interpolation between heights 0.1 apart: 3e-4 at most; change of the heights by 1e-3 "
                           "during averaging: 4e-4"});
-}
-
-void claim_tangle(const Claims<Family>& claims) {
-  claims
+  coarsest
       .fails({.value = 117.1,
               .width = 0.5,
               .reason = "the shear of the first column grows after the wave has left: no force stops it; it grows "
@@ -307,35 +288,26 @@ void claim_tangle(const Claims<Family>& claims) {
               .limit = 1e-9, .reason = "the requested time, to the rounding of its steps", .expected = birth_duration});
 }
 
-void claims(const Values& values, const Claims<Results>& claims) {
-  const std::vector<Family> all = families(values.tier());
-  const Claims<Family> coarsest = claims.at(all.front().label).of(&Results::coarsest);
-  claim_source_table(coarsest, values.table("frank_1994_celerity"));
-  claim_approach(claims, all);
-  claim_second_approximation(coarsest);
-  claim_one_curve(claims);
-  claim_tangle(coarsest);
-}
-
-void tabulate_waves(evidence::Exhibit& exhibit, const std::vector<Family>& all, const EulerSpeed& euler) {
+void tabulate_waves(evidence::Exhibit& exhibit, const Results& r) {
   evidence::Table& table =
       add_table(exhibit, "waves", "Generated waves", "Profiles: largest difference within 6 h of the crest.",
                 {"h1 [depth]", "rows [1]", "a0 [depth]", "w [depth]", "A [depth]", "C [sqrt(g depth)]",
                  "sqrt(1 + A) [sqrt(g depth)]", "C, Euler [sqrt(g depth)]", "profile from Euler [depth]",
                  "profile from Laitone [depth]", "followed until [sqrt(depth/g)]"});
-  for (const Family& family : all) {
+  for (const Family& family : r.families) {
     for (std::size_t k = 0; k < starts.size(); ++k) {
       const Born& wave = family.waves[k];
       table.rows.push_back({family.mesh.column_width, static_cast<double>(family.mesh.rows), starts[k].height,
                             starts[k].width, wave.amplitude, wave.speed, std::sqrt(1 + wave.amplitude),
-                            euler(wave.amplitude), wave.from_exact, wave.from_laitone, wave.track.time.back()});
+                            r.euler(wave.amplitude), wave.from_exact, wave.from_laitone, wave.track.time.back()});
     }
   }
 }
 
-void tabulate_celerity(evidence::Exhibit& exhibit, const Family& coarse, const io::Table& published,
-                       const EulerSpeed& euler) {
+void show_celerity(evidence::Exhibit& exhibit, const Results& r, const io::Table& published) {
   const std::vector<double>& amplitude = published.column("A");
+  const std::vector<double>& speed = published.column("C");
+  const auto root = [](double a) { return std::sqrt(1 + a); };
   evidence::Table& table = add_table(exhibit, "celerity", "Height and speed of solitary waves",
                                      "The source's table beside waves computed here on cells one depth wide and half a "
                                      "depth high, interpolated linearly between heights.",
@@ -343,35 +315,29 @@ void tabulate_celerity(evidence::Exhibit& exhibit, const Family& coarse, const i
                                       "sqrt(1 + A) [sqrt(g depth)]", "C, Euler [sqrt(g depth)]"},
                                      {"frank-table-celerity"});
   for (std::size_t k = 0; k < amplitude.size(); ++k) {
-    table.rows.push_back({amplitude[k], published.column("C")[k], coarse.speed_at(amplitude[k]),
-                          std::sqrt(1 + amplitude[k]), euler(amplitude[k])});
+    const double a = amplitude[k];
+    table.rows.push_back({a, speed[k], r.coarsest().speed_at(a), root(a), r.euler(a)});
   }
-}
-
-void draw_celerity(evidence::Exhibit& exhibit, const std::vector<Family>& all, const io::Table& published,
-                   const EulerSpeed& euler) {
   auto& figure = exhibit.figure("celerity", "Speed against height of solitary waves",
                                 "Frank's table, computed waves, the Euler equations; then the excess over the latter.",
                                 {"frank-table-celerity"});
   auto& speeds = figure.panel({.x = "A [depth]", .y = "C [sqrt(g depth)]"});
   auto& excess = figure.panel({.x = "A [depth]", .y = "C - C_Euler [sqrt(g depth)]"});
   const std::vector<double> fine = evenly(0.1, 0.6, 51);
-  const auto root = [](double a) { return std::sqrt(1 + a); };
-  speeds.line("Euler equations", fine, each(fine, euler), Role::exact);
+  speeds.line("Euler equations", fine, each(fine, r.euler), Role::exact);
   speeds.line("sqrt(1 + A)", fine, each(fine, root), Role::guide);
-  excess.line("sqrt(1 + A)", fine, each(fine, [&](double a) { return root(a) - euler(a); }), Role::guide);
+  excess.line("sqrt(1 + A)", fine, each(fine, [&](double a) { return root(a) - r.euler(a); }), Role::guide);
   const ColumnUncertainty uncertainty = reference_source("frank_1994_celerity").standard_uncertainty.at("C");
-  const std::vector<double>& amplitude = published.column("A");
-  const std::vector<double>& speed = published.column("C");
   const std::vector<double> error = each(speed, [&](double c) { return uncertainty.of(c); });
-  std::vector<double> data_excess = speed;
-  for (std::size_t k = 0; k < speed.size(); ++k) data_excess[k] -= euler(amplitude[k]);
   speeds.points("Frank (1994)", amplitude, speed, Role::data, error);
-  excess.points("Frank (1994)", amplitude, data_excess, Role::data, error);
-  for (const Family& family : all) {
-    const auto over = [&](const Born& wave) { return wave.speed - euler(wave.amplitude); };
-    speeds.points(family.label, family.amplitudes(), each(family.waves, &Born::speed), Role::computed);
-    excess.points(family.label, family.amplitudes(), each(family.waves, over), Role::computed);
+  excess.points("Frank (1994)", amplitude,
+                each(indices(speed.size()), [&](std::size_t k) { return speed[k] - r.euler(amplitude[k]); }),
+                Role::data, error);
+  for (const Family& family : r.families) {
+    const std::vector<double> amplitudes = each(family.waves, &Born::amplitude);
+    const auto over_euler = [&](const Born& wave) { return wave.speed - r.euler(wave.amplitude); };
+    speeds.points(family.label, amplitudes, each(family.waves, &Born::speed), Role::computed);
+    excess.points(family.label, amplitudes, each(family.waves, over_euler), Role::computed);
   }
 }
 
@@ -382,8 +348,7 @@ void draw_own(evidence::Exhibit& exhibit, const Results& r, const std::string& r
   for (const Surface& s : r.birth) surface.line(fmt::format("t = {:.0f}", s.time), s.x, s.y, Role::computed);
 
   const double crest = r.own.track.place.back();
-  const SolitaryWave exact(r.own.end_amplitude());
-  const AsymptoticSolitary laitone(AsymptoticSolitary::Theory::laitone, r.own.end_amplitude());
+  const Theory theory(r.own.end_amplitude());
   const MeshWindow window{crest - birth_reach - 2, crest + birth_reach + 2};
   const std::vector<double> x = evenly(window.begin, window.end, 241);
   auto& figure = exhibit.figure(
@@ -394,9 +359,11 @@ void draw_own(evidence::Exhibit& exhibit, const Results& r, const std::string& r
   draw_mesh(figure.panel(mesh_axes("Mesh", window)), "", r.flow, window);
   auto& profile =
       figure.panel({.x = "x [depth]", .y = "elevation [depth]", .x_min = window.begin, .x_max = window.end});
-  profile.line("Euler equations", x, each(x, [&](double at) { return exact.elevation(at - crest); }), Role::exact);
-  profile.line("second approximation", x, each(x, [&](double at) { return laitone.elevation(at - crest); }),
-               Role::guide);
+  const auto elevation = [&](const auto& wave) {
+    return each(x, [&](double at) { return wave.elevation(at - crest); });
+  };
+  profile.line("Euler equations", x, elevation(theory.exact), Role::exact);
+  profile.line("second approximation", x, elevation(theory.laitone), Role::guide);
   const auto [nodes, heights] = surface_nodes(r.flow, window);
   profile.points("nodes", nodes, heights, Role::computed);
 }
@@ -412,11 +379,9 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   exhibit.measure("from_exact_amplitude", r.from_exact.amplitude);
   exhibit.measure("from_exact_speed", r.from_exact.speed);
   if (const auto& tangle = r.coarsest().waves.back().track.tangled) exhibit.measure("tangle_place", tangle->place());
-  const io::Table published = values.table("frank_1994_celerity");
   draw_own(exhibit, r, own_mesh(values).text());
-  tabulate_waves(exhibit, r.families, r.euler);
-  tabulate_celerity(exhibit, r.coarsest(), published, r.euler);
-  draw_celerity(exhibit, r.families, published, r.euler);
+  tabulate_waves(exhibit, r);
+  show_celerity(exhibit, r, values.table("frank_1994_celerity"));
 }
 
 void solitary_birth(Case& c) {

@@ -47,7 +47,6 @@ namespace seiche::validation::cases::solitary_mesh {
 using exact::SolitaryWave;
 using lagrangian_mesh_2d::Flow;
 using lagrangian_mesh_2d::Scheme;
-using lagrangian_mesh_2d::Settings;
 
 const std::string source = "Frank (1994), chapter 2";
 constexpr double length = 60;  // of the tank
@@ -56,22 +55,22 @@ constexpr double duration = 20;
 constexpr double settled = 5;  // when the first adjustment is over
 constexpr double reach = 10;   // of the profile, from the crest
 
-struct Outcome {
-  CrestTrack track;
+/// A wave on a mesh and what became of it.
+struct Travel {
+  double amplitude = 0;
+  MeshResolution mesh = {};
+  CrestTrack track = {};
   double speed_error = 0;  ///< relative, from `settled` on
   double crest = 0;        ///< height at the end
   double profile = 0;      ///< largest error about the computed crest
   double phase = 0;        ///< crest less exact crest at the end
 
   /// One of the errors; NaN where the mesh tangled on the way.
-  [[nodiscard]] double whole(double Outcome::*error) const { return track.tangled ? nan : this->*error; }
+  [[nodiscard]] double whole(double Travel::*error) const { return track.tangled ? nan : this->*error; }
 };
+using Travels = std::vector<Travel>;
 
 enum class First { sampled, impulse };  ///< velocities
-
-First first_of(const Values& values) {
-  return values.text("start") == "impulse" ? First::impulse : First::sampled;
-}
 
 Flow flow_of(const SolitaryWave& wave, const MeshResolution& resolution, Scheme scheme, double hourglass, First first) {
   const PlacedWave placed{wave, start};
@@ -79,11 +78,11 @@ Flow flow_of(const SolitaryWave& wave, const MeshResolution& resolution, Scheme 
   const Flow::Velocity velocity = first == First::sampled
                                       ? Flow::Velocity([&](Point r) { return placed.velocity(r); })
                                       : impulsive_start(mesh, [&](double x) { return placed.surface_potential(x); });
-  return Flow(mesh, velocity, scheme, Settings{.hourglass = hourglass});
+  return Flow(mesh, velocity, scheme, lagrangian_mesh_2d::Settings{.hourglass = hourglass});
 }
 
-Outcome travel(Flow& flow, const SolitaryWave& wave, double tau) {
-  Outcome result{.track = follow_crest(flow, duration, tau)};
+Travel travel(Flow& flow, const SolitaryWave& wave, const MeshResolution& mesh) {
+  Travel result{.amplitude = wave.amplitude(), .mesh = mesh, .track = follow_crest(flow, duration, mesh.tau)};
   const CrestTrack& track = result.track;
   result.speed_error = track.speed(settled) / wave.speed() - 1;
   result.crest = track.elevation.back();
@@ -92,10 +91,10 @@ Outcome travel(Flow& flow, const SolitaryWave& wave, double tau) {
   return result;
 }
 
-Outcome travel(const SolitaryWave& wave, const MeshResolution& mesh, double hourglass = 0,
-               First first = First::sampled) {
+Travel travel(const SolitaryWave& wave, const MeshResolution& mesh, double hourglass = 0,
+              First first = First::sampled) {
   Flow flow = flow_of(wave, mesh, {}, hourglass, first);
-  return travel(flow, wave, mesh.tau);
+  return travel(flow, wave, mesh);
 }
 
 /// Cells twice as wide as high, five steps to a column.
@@ -104,63 +103,55 @@ MeshResolution with_rows(long rows) {
   return {.column_width = 2 * height, .rows = rows, .tau = 0.4 * height};
 }
 
-/// A wave on a mesh and what became of it.
-struct Travel {
-  double amplitude;
-  MeshResolution mesh;
-  Outcome outcome = {};
-};
-using Travels = std::vector<Travel>;
-
 void tabulate(evidence::Exhibit& exhibit, const Travels& travels, const std::string& id, const std::string& title,
               const std::string& caption) {
   evidence::Table& table = add_table(exhibit, id, title, caption,
                                      {"amplitude [depth]", "h1 [depth]", "rows [1]", "tau [sqrt(depth/g)]",
                                       "speed error [1]", "crest at the end [depth]", "profile error [depth]",
                                       "phase error [depth]", "worst corner [1]", "until [sqrt(depth/g)]"});
-  for (const auto& [amplitude, mesh, run] : travels) {
-    table.rows.push_back({amplitude, mesh.column_width, static_cast<double>(mesh.rows), mesh.tau, run.speed_error,
-                          run.crest, run.profile, run.phase, run.track.worst_corner, run.track.time.back()});
+  for (const Travel& run : travels) {
+    table.rows.push_back({run.amplitude, run.mesh.column_width, static_cast<double>(run.mesh.rows), run.mesh.tau,
+                          run.speed_error, run.crest, run.profile, run.phase, run.track.worst_corner,
+                          run.track.time.back()});
   }
 }
 
 struct Results {
   SolitaryWave wave;
   Flow flow;  ///< of the run that the parameters describe
-  Outcome own;
-  Travels sides;  ///< coarse, columns halved, rows halved, both
-  Travels refinement;
-  Outcome sampled, impulse, held;  ///< the coarsest mesh under a high wave
+  Travel own = {};
+  Travels sides = {};  ///< coarse, columns halved, rows halved, both
+  Travels refinement = {};
+  Travels high = {};  ///< on the coarsest mesh: sampled velocities, an impulse, held by the force
 };
 
 const MeshResolution coarsest{1, 2, 0.1};
 
 /// The coarsest mesh under a high wave: how long it lasts with either start, and with the restoring force.
 void claim_tangle(const Claims<Results>& all) {
-  const auto claims = all.at(coarsest.text());
-  const Bound to_the_end{
-      .limit = 1e-9, .reason = "the requested time, to the rounding of its steps", .expected = duration};
-  const std::string quantity = "end of the run [sqrt(depth/g)]";
-  const auto end = [](Outcome Results::*outcome) {
-    return [outcome](const Results& r) { return (r.*outcome).track.time.back(); };
+  const auto claim = [&](const std::string& id, const std::string& text, std::size_t run) {
+    all.at(coarsest.text())
+        .of(&Results::high)
+        .entry(run)
+        .fails({.value = 19.2,
+                .width = 0.2,
+                .reason = "surface nodes with the exact velocity slide over the row beneath: no force stops them; the "
+                          "time of tangling is reproducible to two steps"},
+               run == 0)
+        .check(
+            id, text, "end of the run [sqrt(depth/g)]", [](const Travel& travel) { return travel.track.time.back(); },
+            Bound{.limit = 1e-9, .reason = "the requested time, to the rounding of its steps", .expected = duration});
   };
-  claims
-      .fails({.value = 19.2,
-              .width = 0.2,
-              .reason = "surface nodes with the exact velocity slide over the row beneath: no force stops them; the "
-                        "time of tangling is reproducible to two steps"})
-      .check("tangle",
-             "The mesh does not tangle behind a wave of A = 0.5 on cells one depth wide that starts with sampled "
-             "velocities.",
-             quantity, end(&Results::sampled), to_the_end);
-  claims.check("tangle-impulse",
-               "The mesh does not tangle behind a solitary wave of H/h = 0.5 that a surface impulse starts.", quantity,
-               end(&Results::impulse), to_the_end);
-  claims.check(
-      "tangle-hourglass",
-      "The mesh does not tangle behind a solitary wave of H/h = 0.5 where the hourglass force, kappa_0 = 0.02, "
-      "holds it.",
-      quantity, end(&Results::held), to_the_end);
+  claim(
+      "tangle",
+      "The mesh does not tangle behind a wave of A = 0.5 on cells one depth wide that starts with sampled velocities.",
+      0);
+  claim("tangle-impulse", "The mesh does not tangle behind a solitary wave of H/h = 0.5 that a surface impulse starts.",
+        1);
+  claim("tangle-hourglass",
+        "The mesh does not tangle behind a solitary wave of H/h = 0.5 where the hourglass force, kappa_0 = 0.02, holds "
+        "it.",
+        2);
 }
 
 /// The refined errors, as figures and claims call them.
@@ -170,18 +161,18 @@ struct Refined {
   double (*of)(const Travel&);
 };
 constexpr std::array<Refined, 4> refined{
-    {{"speed", "speed", [](const Travel& t) { return std::abs(t.outcome.whole(&Outcome::speed_error)); }},
+    {{"speed", "speed", [](const Travel& t) { return std::abs(t.whole(&Travel::speed_error)); }},
      {"crest", "loss of height over A",
-      [](const Travel& t) { return std::abs(t.amplitude - t.outcome.whole(&Outcome::crest)) / t.amplitude; }},
-     {"profile", "profile over A", [](const Travel& t) { return t.outcome.whole(&Outcome::profile) / t.amplitude; }},
-     {"phase", "phase [depth]", [](const Travel& t) { return std::abs(t.outcome.whole(&Outcome::phase)); }}}};
+      [](const Travel& t) { return std::abs(t.amplitude - t.whole(&Travel::crest)) / t.amplitude; }},
+     {"profile", "profile over A", [](const Travel& t) { return t.whole(&Travel::profile) / t.amplitude; }},
+     {"phase", "phase [depth]", [](const Travel& t) { return std::abs(t.whole(&Travel::phase)); }}}};
 
 std::vector<double> heights_of_cells(const Travels& travels) {
   return each(travels, [](const Travel& t) { return 1 / static_cast<double>(t.mesh.rows); });
 }
 
 double profile_of_side(const Results& r, std::size_t side) {
-  return r.sides.at(side).outcome.whole(&Outcome::profile);
+  return r.sides.at(side).whole(&Travel::profile);
 }
 
 void claims(const Values& /*values*/, const Claims<Results>& claims) {
@@ -209,14 +200,12 @@ void claims(const Values& /*values*/, const Claims<Results>& claims) {
 Results compute(const Run& run) {
   const SolitaryWave wave(run.real("amplitude"));
   const double hourglass = run.real("hourglass");
-  const First first = first_of(run);
+  const First first = run.text("start") == "impulse" ? First::impulse : First::sampled;
   const MeshResolution own{run.real("h1"), run.integer("rows"), run.real("tau")};
-  const auto on = [&](const MeshResolution& mesh) {
-    return Travel{wave.amplitude(), mesh, travel(wave, mesh, hourglass, first)};
-  };
+  const auto on = [&](const MeshResolution& mesh) { return travel(wave, mesh, hourglass, first); };
   Results r{.wave = wave,
             .flow = flow_of(wave, own, {.stepping = mechanics::stepping_named(run.text("scheme"))}, hourglass, first)};
-  r.own = travel(r.flow, wave, own.tau);
+  r.own = travel(r.flow, wave, own);
   if (r.own.track.tangled) throw Divergence(*r.own.track.tangled);
   run.progress(0.05);
   for (const auto& [width, rows] : {std::pair{0.5, 4L}, {0.25, 4L}, {0.5, 8L}, {0.25, 8L}}) {
@@ -228,9 +217,7 @@ Results compute(const Run& run) {
   for (const long rows : ladder) r.refinement.push_back(on(with_rows(rows)));
   run.progress(0.7);
   const SolitaryWave high(0.5);
-  r.sampled = travel(high, coarsest);
-  r.impulse = travel(high, coarsest, 0, First::impulse);
-  r.held = travel(high, coarsest, 0.02);
+  r.high = {travel(high, coarsest), travel(high, coarsest, 0, First::impulse), travel(high, coarsest, 0.02)};
   return r;
 }
 
@@ -245,12 +232,12 @@ void draw_refinement(evidence::Exhibit& exhibit, const Results& r) {
   auto& height = history.panel({.x = "t [sqrt(depth/g)]", .y = "crest/A"});
   Travels intact;
   for (const Travel& travel : r.refinement) {
-    const CrestTrack& track = travel.outcome.track;
+    const CrestTrack& track = travel.track;
+    const std::string label = fmt::format("{} rows", travel.mesh.rows);
     std::vector<double> lags = track.place;
     for (std::size_t k = 0; k < lags.size(); ++k) lags[k] = lags[k] - start - r.wave.speed() * track.time[k];
-    lag.line(fmt::format("{} rows", travel.mesh.rows), track.time, lags, Role::computed);
-    height.line(fmt::format("{} rows", travel.mesh.rows), track.time,
-                each(track.elevation, [&](double y) { return y / travel.amplitude; }), Role::computed);
+    lag.line(label, track.time, lags);
+    height.line(label, track.time, each(track.elevation, [&](double y) { return y / travel.amplitude; }));
     if (!track.tangled) intact.push_back(travel);
   }
   if (intact.empty()) return;
@@ -279,24 +266,25 @@ void draw_wave(evidence::Exhibit& exhibit, const Results& r, const MeshResolutio
 }
 
 void measure(evidence::Exhibit& exhibit, const Results& r, const MeshResolution& mesh) {
-  const CrestTrack& track = r.own.track;
+  const Travel& own = r.own;
+  const CrestTrack& track = own.track;
   exhibit.measure("h1_used", length / static_cast<double>(mesh.columns(length)));
   exhibit.measure("speed", track.speed(settled));
   exhibit.measure("speed_from_the_start", (track.place.back() - track.place.front()) / track.time.back());
-  exhibit.measure("speed_error", r.own.speed_error);
-  exhibit.measure("end_amplitude", r.own.crest);
-  exhibit.measure("phase_error", r.own.phase);
-  exhibit.measure("max_profile_error", r.own.profile);
+  exhibit.measure("speed_error", own.speed_error);
+  exhibit.measure("end_amplitude", own.crest);
+  exhibit.measure("phase_error", own.phase);
+  exhibit.measure("max_profile_error", own.profile);
   exhibit.measure("worst_corner", track.worst_corner);
-  if (r.sampled.track.tangled) {
-    exhibit.measure("tangle_time", r.sampled.track.tangled->time());
-    exhibit.measure("tangle_place", r.sampled.track.tangled->place());
+  if (const auto& tangled = r.high.front().track.tangled) {
+    exhibit.measure("tangle_time", tangled->time());
+    exhibit.measure("tangle_place", tangled->place());
   }
-  for (const auto& [id, outcome] :
-       {std::pair{"sampled", &r.sampled}, std::pair{"impulse", &r.impulse}, std::pair{"hourglass", &r.held}}) {
-    exhibit.measure(fmt::format("worst_corner_{}", id), outcome->track.worst_corner);
-    exhibit.measure(fmt::format("crest_{}", id), outcome->crest);
-    exhibit.measure(fmt::format("speed_error_{}", id), outcome->speed_error);
+  for (const auto& [id, run] : {std::pair{"sampled", 0}, std::pair{"impulse", 1}, std::pair{"hourglass", 2}}) {
+    const Travel& high = r.high[static_cast<std::size_t>(run)];
+    exhibit.measure(fmt::format("worst_corner_{}", id), high.track.worst_corner);
+    exhibit.measure(fmt::format("crest_{}", id), high.crest);
+    exhibit.measure(fmt::format("speed_error_{}", id), high.speed_error);
   }
 }
 

@@ -43,57 +43,32 @@ namespace seiche::validation::cases::soliton_le_metayer {
 
 using dispersive_shallow_water_1d::Flow;
 using dispersive_shallow_water_1d::Scheme;
-using dispersive_shallow_water_1d::Stepping;
 using dispersive_shallow_water_1d::TimeComposition;
 
-// Serre's solitary wave over a level bottom, followed with the discrete dispersive model and compared with itself.
-
-/// A channel of constant depth with the wave in it.
+/// Serre's solitary wave in a channel of constant depth.
 struct SerreWave {
-  double amplitude = 0.2;  ///< [m]
-  double depth = 1;        ///< [m]
-  double gravity = 1;      ///< [m/s^2]
-  double alpha = 1.0 / 3;  ///< factor of the vertical kinetic energy
-  double begin = -200;     ///< ends of the channel [m]
-  double end = 500;
-  double time = 20;  ///< how long it is followed, from x = 0 [s]
+  static constexpr double begin = -200;  ///< ends of the channel [m]
+  static constexpr double end = 500;
 
-  [[nodiscard]] exact::SerreSolitary exact() const { return exact::SerreSolitary(amplitude, depth, gravity, alpha); }
-  [[nodiscard]] double length() const { return end - begin; }
+  double amplitude;  ///< [m]
+  double depth;      ///< [m]
+  double gravity;    ///< [m/s^2]
+  double time;       ///< how long it is followed, from x = 0 [s]
+
+  [[nodiscard]] exact::SerreSolitary exact() const { return exact::SerreSolitary(amplitude, depth, gravity); }
   /// Width at rest of so many cells of equal volume [m]: the channel's length and what the wave adds to it.
   [[nodiscard]] double spacing(long cells) const {
     const exact::SerreSolitary wave = exact();
     const double excess = wave.excess_up_to(end) - wave.excess_up_to(begin);
-    return (length() + excess / depth) / static_cast<double>(cells);
+    return (end - begin + excess / depth) / static_cast<double>(cells);
   }
 };
-
-using dispersive_shallow_water_1d::Channel;
-using dispersive_shallow_water_1d::End;
-
-/// The wave on markers `spacing` apart when at rest.
-Flow start(const SerreWave& wave, double spacing, Scheme scheme) {
-  const Channel channel{.bottom = std::make_shared<LevelBottom>(wave.depth),
-                        .left = End::wall,
-                        .right = End::wall,
-                        .gravity = wave.gravity,
-                        .alpha = wave.alpha};
-  return {channel,
-          solitary_markers(channel, wave.begin, wave.end, spacing,
-                           {.amplitude = wave.amplitude, .crest = 0, .depth = wave.depth}),
-          scheme};
-}
-
-/// Distance of a place from the exact crest.
-double from_crest(const SerreWave& wave, double x, double time) {
-  return x - wave.exact().speed() * time;
-}
 
 /// Largest error of a marker's elevation over the amplitude.
 double largest_error(const Flow& flow, const SerreWave& wave) {
   const exact::SerreSolitary exact = wave.exact();
   const auto off = [&](std::size_t i) {
-    return (flow.y()[i] - exact.elevation(from_crest(wave, flow.x()[i], flow.time()))) / wave.amplitude;
+    return (flow.y()[i] - exact.elevation(flow.x()[i] - exact.speed() * flow.time())) / wave.amplitude;
   };
   return over<Worst>(indices(flow.x().size()), off).value();
 }
@@ -106,28 +81,24 @@ double largest_surface_error(const Flow& flow, const SerreWave& wave) {
   for (std::size_t i = 0; i + 1 < flow.x().size(); ++i) {
     for (int k = 0; k <= parts; ++k) {
       const double w = static_cast<double>(k) / parts;
-      const double s = from_crest(wave, (1 - w) * flow.x()[i] + w * flow.x()[i + 1], flow.time());
+      const double x = (1 - w) * flow.x()[i] + w * flow.x()[i + 1];
       const double y = (1 - w) * flow.y()[i] + w * flow.y()[i + 1];
-      largest.add(y - exact.elevation(s));
+      largest.add(y - exact.elevation(x - exact.speed() * flow.time()));
     }
   }
   return largest.value() / wave.amplitude;
 }
 
-/// The flow at wave.time, by equal steps of at most tau.
+/// The flow at wave.time, on markers `spacing` apart when at rest, by equal steps of at most tau.
 Flow followed(const SerreWave& wave, double spacing, double tau, Scheme scheme) {
-  Flow flow = start(wave, spacing, scheme);
+  const dispersive_shallow_water_1d::Channel channel{.bottom = std::make_shared<LevelBottom>(wave.depth),
+                                                     .gravity = wave.gravity};
+  Flow flow(channel,
+            solitary_markers(channel, wave.begin, wave.end, spacing,
+                             {.amplitude = wave.amplitude, .crest = 0, .depth = wave.depth}),
+            scheme);
   march(flow, wave.time, tau);
   return flow;
-}
-
-/// "one-step", "conservative, Suzuki", ...: how figures call a scheme.
-std::string title(Scheme scheme) {
-  std::string text = scheme.stepping == Stepping::one_step ? "one-step" : "conservative";
-  if (scheme.fixed_sweeps > 0) text += ", " + std::to_string(scheme.fixed_sweeps) + " sweeps";
-  if (scheme.composition == TimeComposition::triple_jump) text += ", triple jump";
-  if (scheme.composition == TimeComposition::suzuki) text += ", Suzuki";
-  return text;
 }
 
 const std::string peer_source = "S. Popinet, Basilisk, test of the Green-Naghdi solver, src/test/soliton.ref";
@@ -140,17 +111,20 @@ constexpr double peer_seconds = 0.49;  // for 1024 cells, about 2.3e6 cell-steps
 
 struct Contender {
   const char* id;
+  const char* name;
   Scheme scheme;
 };
-constexpr Stepping implicit = Stepping::conservative;
+constexpr auto implicit = dispersive_shallow_water_1d::Stepping::conservative;
 constexpr Contender contenders[] = {
-    {"one_step", {}},
-    {"conservative", {.stepping = implicit}},
-    {"conservative_3_sweeps", {.stepping = implicit, .fixed_sweeps = 3}},
-    {"one_step_triple_jump", {.composition = TimeComposition::triple_jump}},
-    {"one_step_suzuki", {.composition = TimeComposition::suzuki}},
-    {"conservative_triple_jump", {.stepping = implicit, .composition = TimeComposition::triple_jump}},
-    {"conservative_suzuki", {.stepping = implicit, .composition = TimeComposition::suzuki}},
+    {"one_step", "one-step", {}},
+    {"conservative", "conservative", {.stepping = implicit}},
+    {"conservative_3_sweeps", "conservative, 3 sweeps", {.stepping = implicit, .fixed_sweeps = 3}},
+    {"one_step_triple_jump", "one-step, triple jump", {.composition = TimeComposition::triple_jump}},
+    {"one_step_suzuki", "one-step, Suzuki", {.composition = TimeComposition::suzuki}},
+    {"conservative_triple_jump",
+     "conservative, triple jump",
+     {.stepping = implicit, .composition = TimeComposition::triple_jump}},
+    {"conservative_suzuki", "conservative, Suzuki", {.stepping = implicit, .composition = TimeComposition::suzuki}},
 };
 
 int order_in_time(Scheme scheme) {
@@ -305,13 +279,12 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const bool peers_wave = wave.amplitude == 2.1 && wave.depth == 10 && wave.gravity == 10 && wave.time == 29.2 &&
                           values.integer("coarsest") == 64;
   for (std::size_t k = 0; k < std::size(contenders); ++k) {
-    const Contender& contender = contenders[k];
+    const auto& [key, name, scheme] = contenders[k];
     const Claims<Curve> curve = claims.of(&Results::curves).entry(k);
-    const std::string name = title(contender.scheme);
-    std::string id = contender.id;
-    std::replace(id.begin(), id.end(), '_', '-');
+    std::string id = key;
+    std::ranges::replace(id, '_', '-');
     // A composition's best steps shrink like the root of the cells' width, the longest stable ones like the width.
-    curve.only_if(order_in_time(contender.scheme) == 2, "its optimal steps exceed half the longest stable one")
+    curve.only_if(order_in_time(scheme) == 2, "its optimal steps exceed half the longest stable one")
         .check(
             "order-" + id,
             fmt::format("The largest error converges at second order along the optimal steps ({}).", name),
@@ -375,7 +348,7 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
     by_time.line(label, curve.seconds, error, Role::computed);
   };
   for (std::size_t i = 0; i < r.curves.size(); ++i) {
-    const std::string name = title(contenders[i].scheme);
+    const std::string name = contenders[i].name;
     const Curve& curve = r.curves[i];
     show_costs(exhibit, contenders[i].id, curve);
     draw(name, curve, curve.error);

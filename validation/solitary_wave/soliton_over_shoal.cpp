@@ -20,6 +20,7 @@ shortest. Across, where the bed is level, they agree to 0.5 %.
 #include <cmath>
 #include <memory>
 #include <span>
+#include <tuple>
 #include <utility>
 
 #include <fmt/format.h>
@@ -59,6 +60,8 @@ struct ShoalWave {
 
   [[nodiscard]] double spacing() const { return 1 / static_cast<double>(layers); }
   [[nodiscard]] double tau() const { return 0.4 * spacing(); }
+  [[nodiscard]] std::size_t columns() const { return cells(end - begin); }
+  [[nodiscard]] std::size_t rows() const { return cells(width); }
   /// z = -1 + height (1 - (r/radius)^2)^3 within the radius, as a spline that both models see.
   [[nodiscard]] std::shared_ptr<const PlanBottom> bottom() const {
     constexpr double lines = 0.25;
@@ -69,6 +72,9 @@ struct ShoalWave {
                                 return -1 + (inside > 0 ? height * inside * inside * inside : 0.0);
                               }));
   }
+
+ private:
+  [[nodiscard]] std::size_t cells(double of) const { return static_cast<std::size_t>(std::lround(of / spacing())); }
 };
 
 /// Where elevations are taken, on the walls: over the top and behind it on the shoal's side, beside the shoal across.
@@ -102,15 +108,6 @@ double elevation_at(std::span<const double> x, std::span<const double> z, double
   return z[k] + (place - x[k]) * (left + bend * (place - x[k - 1]));
 }
 
-struct Cells {
-  std::size_t columns, rows;
-};
-
-Cells cells_of(const ShoalWave& wave) {
-  return {static_cast<std::size_t>(std::lround((ShoalWave::end - ShoalWave::begin) / wave.spacing())),
-          static_cast<std::size_t>(std::lround(ShoalWave::width / wave.spacing()))};
-}
-
 /// @param surface  x and z of the surface nodes of a flow
 template <class Flow, class Surface>
 ShoalRun followed(Flow& flow, const ShoalWave& wave, const Surface& surface) {
@@ -138,13 +135,12 @@ ShoalRun followed(Flow& flow, const ShoalWave& wave, const Surface& surface) {
 /// plan; spacing and steps are the same.
 ShoalRun run_hexahedra(const ShoalWave& wave) {
   const exact::SolitaryWave solitary(wave.amplitude);
-  const Cells cells = cells_of(wave);
   lagrangian_mesh_3d::Mesh mesh = lagrangian_mesh_3d::layer_mesh(
       {.begin = ShoalWave::begin,
        .end = ShoalWave::end,
        .north = ShoalWave::width,
-       .columns = cells.columns,
-       .rows = cells.rows,
+       .columns = wave.columns(),
+       .rows = wave.rows(),
        .layers = wave.layers,
        .elevation = [&](double x, double) { return solitary.elevation(x - ShoalWave::crest); },
        .bottom = wave.bottom()});
@@ -156,14 +152,13 @@ ShoalRun run_hexahedra(const ShoalWave& wave) {
 
 ShoalRun run_plan(const ShoalWave& wave) {
   const exact::SerreSolitary solitary(wave.amplitude);
-  const Cells cells = cells_of(wave);
   dispersive_shallow_water_2d::Flow flow(
       dispersive_shallow_water_2d::rectangular_lattice(
           {.begin = ShoalWave::begin,
            .end = ShoalWave::end,
            .north = ShoalWave::width,
-           .columns = cells.columns,
-           .rows = cells.rows,
+           .columns = wave.columns(),
+           .rows = wave.rows(),
            .elevation = [&](double x, double) { return solitary.elevation(x - ShoalWave::crest); },
            .bottom = wave.bottom()}),
       [&](double x, double) {
@@ -208,26 +203,24 @@ double highest(const Results& all, ShoalRun Pair::*model, std::size_t gauge) {
   return (all.back().*model).highest[gauge].value();
 }
 
-void claim_energy(const Claims<Results>& claims, const ShoalWave& finest, const std::string& id,
-                  const std::string& name, ShoalRun Pair::*model) {
-  claims.where("t = {:.1f}")
-      .check(
-          "energy-" + id,
-          fmt::format("The energy change is at most 3 a tau^2/8, the swing of the scheme, times the relative height of "
-                      "the shoal ({}).",
-                      name),
-          "largest relative change of the energy",
-          [model](const Results& all) { return (all.back().*model).energy_defect; },
-          Bound{.limit = 3 * finest.amplitude * std::pow(finest.tau(), 2) / 8 * finest.height,
-                .reason = "(omega tau)^2/8, omega^2 = 3a, the difference of energy from the conserved quantity of the "
-                          "scheme, times the relative change of the wave by the shoal, its height over the depth"});
-}
-
 void claims(const Values& values, const Claims<Results>& all) {
   const ShoalWave finest = waves_of(values).back();
   const auto claims = all.at(fmt::format("h = {:g}, tau = {:g}, and two coarser", finest.spacing(), finest.tau()));
-  claim_energy(claims, finest, "hexahedra", "Hexahedral mesh", &Pair::hexahedra);
-  claim_energy(claims, finest, "plan", "2DH model", &Pair::plan);
+  for (const auto& [id, name, model] :
+       {std::tuple{"hexahedra", "Hexahedral mesh", &Pair::hexahedra}, std::tuple{"plan", "2DH model", &Pair::plan}}) {
+    claims.where("t = {:.1f}")
+        .check(
+            fmt::format("energy-{}", id),
+            fmt::format("The energy change is at most 3 a tau^2/8, the swing of the scheme, times the relative height "
+                        "of the shoal ({}).",
+                        name),
+            "largest relative change of the energy",
+            [run = model](const Results& r) { return (r.back().*run).energy_defect; },
+            Bound{.limit = 3 * finest.amplitude * std::pow(finest.tau(), 2) / 8 * finest.height,
+                  .reason = "(omega tau)^2/8, omega^2 = 3a, the difference of energy from the conserved quantity of "
+                            "the scheme, times the relative change of the wave by the shoal, its height over the "
+                            "depth"});
+  }
   for (std::size_t g = 0; g < shoal_gauges.size(); ++g) {
     const ShoalGauge& gauge = shoal_gauges[g];
     claims.check(

@@ -50,6 +50,12 @@ using exact::SolitonFission;
 // The exact solitary wave in a channel of particles of variable mass, and what is read off on its way.
 // Depth, gravity and density are 1.
 
+const std::string source = "inverse scattering (Madsen & Mei 1969) after Lamb's step; model: Frank (1994), section 5.3";
+constexpr std::size_t shown = 3;  // crests
+constexpr double apart = 2;       // a crest is the highest place so far around it, for ripples are not waves
+constexpr double smooth = 2;      // half of what the crest of the reflected wave, some six long, is read from
+constexpr double interval = 2;    // between the surfaces that are kept
+
 /// The surface at one instant, in ascending x.
 struct SurfaceLine {
   double time = 0;
@@ -57,11 +63,9 @@ struct SurfaceLine {
 
   /// Highest crest of a part of it; a height of NaN where there is none.
   [[nodiscard]] CurveCrest highest(double from, double to) const {
-    CurveCrest top{nan, nan};
-    for (const CurveCrest& one : crests(-std::numeric_limits<double>::infinity(), from, to)) {
-      if (!(one.height <= top.height)) top = one;
-    }
-    return top;
+    const std::vector<CurveCrest> all = crests(-std::numeric_limits<double>::infinity(), from, to);
+    const auto top = std::ranges::max_element(all, {}, &CurveCrest::height);
+    return top == all.end() ? CurveCrest{nan, nan} : *top;
   }
   /// Crests above a threshold of a part of it: all, and those that are the highest place within a distance.
   [[nodiscard]] std::vector<CurveCrest> crests(double threshold, double from, double to) const {
@@ -69,7 +73,7 @@ struct SurfaceLine {
     std::erase_if(found, [&](const CurveCrest& one) { return !(one.place >= from && one.place <= to); });
     return found;
   }
-  [[nodiscard]] std::vector<CurveCrest> waves(double threshold, double apart, double from, double to) const {
+  [[nodiscard]] std::vector<CurveCrest> waves(double threshold, double from, double to) const {
     std::vector<CurveCrest> found = crests(threshold, from, to);
     std::erase_if(found, [&](const CurveCrest& one) {
       const auto begin = std::lower_bound(x.begin(), x.end(), one.place - apart) - x.begin();
@@ -94,27 +98,30 @@ struct SurfaceLine {
   }
 };
 
-/// What a run leaves: surfaces at equal intervals and, with them, the budget of energy over the kinetic energy of the
+/// A run on one mesh: surfaces at equal intervals and, with them, the budget of energy over the kinetic energy of the
 /// beginning.
-struct SolitaryRun {
+struct Passage {
   long rows = 0;
-  std::vector<SurfaceLine> surfaces;
-  std::vector<double> time, kinetic, potential, dissipated;
-  double energy_defect = 0;  ///< largest change of energy with what was booked, at any step
-  double mass_defect = 0;    ///< largest, of the whole
-  double drift = 0;          ///< largest |A_i - m_i/rho| at the end over the square of a row's height
+  std::vector<SurfaceLine> surfaces = {};
+  std::vector<double> time = {}, kinetic = {}, potential = {}, dissipated = {};
+  double energy_defect = 0;            ///< largest change of energy with what was booked, at any step
+  double mass_defect = 0;              ///< largest, of the whole
+  double drift = 0;                    ///< largest |A_i - m_i/rho| at the end over the square of a row's height
+  std::vector<CurveCrest> peaks = {};  ///< on the shelf, from the highest back
+  double reflected = 0;                ///< highest crest before the step when it is half way to the left wall
 
-  [[nodiscard]] const SurfaceLine& last() const { return surfaces.back(); }
   /// The line nearest to a time.
   [[nodiscard]] const SurfaceLine& at(double when) const {
     return *std::ranges::min_element(surfaces, {}, [&](const SurfaceLine& one) { return std::abs(one.time - when); });
   }
+  /// Height of crest n of those on the shelf; NaN where there are not as many.
+  [[nodiscard]] double peak(std::size_t n) const { return n <= peaks.size() ? peaks[n - 1].height : nan; }
 };
 
 using variable_mass::Flow;
 
 /// Surface and velocities of the wave with its crest at a place.
-variable_mass::Start solitary_start(const exact::SolitaryWave& wave, double crest) {
+variable_mass::Start solitary_start(const SolitaryWave& wave, double crest) {
   const auto elevation = [&wave, crest](double x) { return wave.elevation(x - crest); };
   return {.elevation = elevation, .velocity = [&wave, crest, elevation](Point place) {
             // A surface node may be above the exact surface by its rounding.
@@ -134,11 +141,10 @@ SurfaceLine surface_line(const Flow& flow) {
   return line;
 }
 
-/// @param rest      the mesh of the flow under a flat surface, from which potential energies count
-/// @param interval  between the surfaces that are kept
-SolitaryRun follow_solitary(Flow& flow, const free_lagrangian::Mesh& rest, long rows, double time, double tau,
-                            double interval, const std::function<void(double)>& progress) {
-  SolitaryRun run{.rows = rows};
+/// @param rest  the mesh of the flow under a flat surface, from which potential energies count
+Passage follow(Flow& flow, const free_lagrangian::Mesh& rest, long rows, double time, double tau,
+               const std::function<void(double)>& progress) {
+  Passage run{.rows = rows};
   const double still = free_lagrangian::potential_energy(rest.places(), rest.outline, flow.water().weight());
   const double kinetic = flow.kinetic_energy();
   const double energy = flow.energy();
@@ -159,37 +165,21 @@ SolitaryRun follow_solitary(Flow& flow, const free_lagrangian::Mesh& rest, long 
       masses.add(flow.water().mass() - mass);
     });
     keep();
-    if (progress) progress(static_cast<double>(part) / static_cast<double>(parts));
+    progress(static_cast<double>(part) / static_cast<double>(parts));
   }
-  run.energy_defect = std::abs(energies.value());
-  run.mass_defect = std::abs(masses.value());
+  run.energy_defect = energies.value();
+  run.mass_defect = masses.value();
   run.drift = flow.largest_drift() * static_cast<double>(rows * rows);
   return run;
 }
 
-const std::string source = "inverse scattering (Madsen & Mei 1969) after Lamb's step; model: Frank (1994), section 5.3";
-constexpr std::array ladder{4L, 6L, 8L, 12L};
-constexpr std::size_t shown = 3;  // crests
-constexpr double apart = 2;       // a crest is the highest place so far around it, for ripples are not waves
-constexpr double smooth = 2;      // half of what the crest of the reflected wave, some six long, is read from
-constexpr double interval = 2;    // between the surfaces that are kept
-
-/// Rows: those of the ladder that are coarser than asked for, and these.
+/// Rows: those of a ladder that are coarser than asked for, and these.
 std::vector<long> meshes(const Values& values) {
-  std::vector<long> rows;
-  for (const long n : ladder) {
-    if (n < values.integer("ny")) rows.push_back(n);
-  }
+  std::vector<long> rows{4, 6, 8, 12};
+  std::erase_if(rows, [&](long n) { return n >= values.integer("ny"); });
   rows.push_back(values.integer("ny"));
   return rows;
 }
-
-/// What the waves of a run on one mesh are.
-struct Passage {
-  SolitaryRun run;
-  std::vector<CurveCrest> peaks = {};  ///< on the shelf, from the highest back
-  double reflected = 0;                ///< highest crest before the step when it is half way to the left wall
-};
 
 struct Results {
   SolitaryWave wave;
@@ -198,11 +188,6 @@ struct Results {
   std::vector<Passage> passages = {};
   [[nodiscard]] const Passage& own() const { return passages.back(); }
 };
-
-/// Height of crest n of those on the shelf; NaN where there are not as many.
-double peak(const Passage& p, std::size_t n) {
-  return n <= p.peaks.size() ? p.peaks[n - 1].height : nan;
-}
 
 double step_length(const Values& values, long rows) {
   return values.real("courant") / static_cast<double>(rows);
@@ -222,14 +207,14 @@ Passage pass(const Run& run, const SolitaryWave& wave, long rows, const std::fun
                             .rate = run.real("rate"),
                             .surface_rate = run.real("surface_rate")},
                            {.stabilisation = run.real("stabilisation")});
-  Passage p{.run = follow_solitary(flow, rest, rows, run.real("time"), step_length(run, rows), interval, progress)};
-  const SurfaceLine& last = p.run.last();
+  Passage p = follow(flow, rest, rows, run.real("time"), step_length(run, rows), progress);
+  const SurfaceLine& last = p.surfaces.back();
   const CurveCrest first = last.highest(step, last.x.back());
   // Behind the waves that parted comes what was reflected twice.
-  p.peaks = last.waves(0.03 * wave.amplitude(), apart, step + 0.5 * (first.place - step), first.place);
+  p.peaks = last.waves(0.03 * wave.amplitude(), step + 0.5 * (first.place - step), first.place);
   std::reverse(p.peaks.begin(), p.peaks.end());
   const double half_way = (step - run.real("crest")) / wave.speed() + 0.5 * step;
-  const SurfaceLine& then = p.run.at(half_way);
+  const SurfaceLine& then = p.at(half_way);
   p.reflected = then.smoothed_height(then.highest(2, step - 2).place, smooth);
   return p;
 }
@@ -251,7 +236,7 @@ void claim_theory(const Values& values, const Claims<Passage>& own) {
         fmt::format("peak-{}", n),
         fmt::format("The height of wave {} on the shelf agrees with inverse scattering within {:.2g} %.", n,
                     100 * share * small),
-        "height over the depth before the step", [number](const Passage& p) { return peak(p, number); },
+        "height over the depth before the step", [number](const Passage& p) { return p.peak(number); },
         Bound{.limit = share * small,
               .reason = fmt::format("corrections of the theory are of relative order a_1/h = {:.2f}: {}", small, why),
               .expected = amplitude * theory.amplitude(n),
@@ -307,23 +292,22 @@ void claims(const Values& values, const Claims<Results>& claims) {
   own.check(
       "energy",
       "The energy plus the recorded losses changes by at most (omega tau)^2/8, the swing of the one-step scheme.",
-      "largest change over the initial kinetic energy", [](const Passage& p) { return p.run.energy_defect; },
+      "largest change over the initial kinetic energy", &Passage::energy_defect,
       Bound{.limit = std::pow(omega * tau, 2) / 8,
             .reason = "(omega tau)^2/8, by which the energy of the one-step scheme oscillates; omega = k c of the "
                       "first wave on the shelf"});
   own.check(
       "dissipation", "The energy dissipated by the stabilisation is below 10 % of the initial kinetic energy.",
-      "dissipated energy over the initial kinetic energy", [](const Passage& p) { return p.run.dissipated.back(); },
+      "dissipated energy over the initial kinetic energy", [](const Passage& p) { return p.dissipated.back(); },
       Bound{.limit = 0.1,
             .reason = "solitary wave energy is proportional to a^(3/2): 10 % would reduce the height of the first wave "
                       "by 7 %, and the crests would measure the stabilisation"});
   const double area = values.real("step") + depth * values.real("shelf_length");
-  own.check(
-      "mass", "The total mass of the variable-mass particles is conserved to round-off.", "largest change of the total",
-      [](const Passage& p) { return p.run.mass_defect; },
-      Roundoff{.operations = 8 * values.real("time") / tau * area * std::pow(rows, 2),
-               .scale = std::pow(rows, -2),
-               .reason = "some eight exchanges per node and step, each rounding the node's mass, 1/ny^2"});
+  own.check("mass", "The total mass of the variable-mass particles is conserved to round-off.",
+            "largest change of the total", &Passage::mass_defect,
+            Roundoff{.operations = 8 * values.real("time") / tau * area * std::pow(rows, 2),
+                     .scale = std::pow(rows, -2),
+                     .reason = "some eight exchanges per node and step, each rounding the node's mass, 1/ny^2"});
 }
 
 Results compute(const Run& run) {
@@ -332,9 +316,8 @@ Results compute(const Run& run) {
             .step = run.real("step")};
   const std::vector<long> rows = meshes(run);
   const auto cost = [](long n) { return std::pow(static_cast<double>(n), 3); };
+  const double whole = over<Mean>(rows, cost).sum();
   double done = 0;
-  double whole = 0;
-  for (const long n : rows) whole += cost(n);
   for (const long n : rows) {
     r.passages.push_back(pass(run, r.wave, n, [&](double part) { run.progress((done + part * cost(n)) / whole); }));
     done += cost(n);
@@ -349,18 +332,17 @@ void draw_way(const Results& r, evidence::Exhibit& exhibit) {
                                 {"frank-step"});
   auto& way = figure.panel({.x = "x [depth]", .y = "t [sqrt(depth/g)] + 40 elevation"});
   constexpr std::size_t every = 4;
-  for (std::size_t k = 0; k < r.own().run.surfaces.size(); k += every) {
-    const SurfaceLine& line = r.own().run.surfaces[k];
+  for (std::size_t k = 0; k < r.own().surfaces.size(); k += every) {
+    const SurfaceLine& line = r.own().surfaces[k];
     way.line("", line.x, each(line.y, [&](double y) { return line.time + 40 * y; }));
   }
   way.vertical("", std::vector{r.step}, Role::guide);
   auto& profile = figure.panel({.x = "x [depth]", .y = "elevation [depth]", .x_min = r.step - 4});
-  const SurfaceLine& last = r.own().run.last();
+  const SurfaceLine& last = r.own().surfaces.back();
   profile.line("computed", last.x, last.y);
-  for (std::size_t n = 1;
-       n <= std::min<std::size_t>(r.own().peaks.size(), static_cast<std::size_t>(r.theory.solitons())); ++n) {
-    const double place = r.own().peaks[n - 1].place;
-    const double height = r.wave.amplitude() * r.theory.amplitude(static_cast<int>(n));
+  for (int n = 1; n <= std::min<int>(static_cast<int>(r.own().peaks.size()), r.theory.solitons()); ++n) {
+    const double place = r.own().peaks[static_cast<std::size_t>(n - 1)].place;
+    const double height = r.wave.amplitude() * r.theory.amplitude(n);
     profile.line(n == 1 ? "inverse scattering" : "", std::vector{place, place}, std::vector{0.0, height}, Role::exact);
   }
   profile.vertical("", std::vector{r.step}, Role::guide);
@@ -370,7 +352,7 @@ void draw_budget(const Results& r, evidence::Exhibit& exhibit) {
   auto& figure = exhibit.figure("budget", "Budget of energy",
                                 "Over the initial kinetic energy. Dissipated: energy taken by the stabilisation, "
                                 "recorded step by step; below, for all meshes.");
-  const SolitaryRun& own = r.own().run;
+  const Passage& own = r.own();
   auto& parts = figure.panel({.x = "t [sqrt(depth/g)]", .y = "energy"});
   std::vector<double> sum = own.kinetic;
   for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += own.potential[k] + own.dissipated[k];
@@ -379,7 +361,7 @@ void draw_budget(const Results& r, evidence::Exhibit& exhibit) {
   parts.line("dissipated", own.time, own.dissipated);
   parts.line("sum", own.time, sum, Role::guide);
   auto& losses = figure.panel({.x = "t [sqrt(depth/g)]", .y = "dissipated"});
-  for (const Passage& p : r.passages) losses.line(fmt::format("{} rows", p.run.rows), p.run.time, p.run.dissipated);
+  for (const Passage& p : r.passages) losses.line(fmt::format("{} rows", p.rows), p.time, p.dissipated);
 }
 
 void show(const Results& r, const Values&, evidence::Exhibit& exhibit) {
@@ -391,11 +373,11 @@ void show(const Results& r, const Values&, evidence::Exhibit& exhibit) {
                  "energy plus recorded losses [1]", "largest drift of a cell [cell]"});
   const double a = r.wave.amplitude();
   for (const Passage& p : r.passages) {
-    std::vector<Cell>& row = meshes.rows.emplace_back(1, fmt::format("{}", p.run.rows));
+    std::vector<Cell>& row = meshes.rows.emplace_back(1, fmt::format("{}", p.rows));
     for (std::size_t n = 1; n <= shown; ++n) {
-      row.push_back(n <= p.peaks.size() ? Cell(peak(p, n)) : "not parted");
+      row.push_back(n <= p.peaks.size() ? Cell(p.peak(n)) : "not parted");
     }
-    row.insert(row.end(), {p.reflected, p.run.dissipated.back(), p.run.energy_defect, p.run.drift});
+    row.insert(row.end(), {p.reflected, p.dissipated.back(), p.energy_defect, p.drift});
   }
   meshes.rows.push_back({"theory", a * r.theory.amplitude(1), a * r.theory.amplitude(2), a * r.theory.amplitude(3),
                          a * r.theory.reflection(), 0.0, "", ""});

@@ -25,8 +25,6 @@ variable masses and SPH are absent: their tanks have level bottoms.
 
 namespace seiche::validation::cases::irregular_sea_bars {
 
-const std::string source = "potential flow by Cauchy's integral; Frank, Discrete models of incompressible fluid (1994)";
-
 tank_sea::Comparison comparison(const Values& values) {
   const double end = values.real("end");
   return {.sea = {.amplitude = values.real("amplitude"),
@@ -43,14 +41,6 @@ tank_sea::Comparison comparison(const Values& values) {
           .tangles = true};
 }
 
-void claims(const Values& values, const Claims<tank_sea::Results>& all) {
-  tank_sea::claims(values, all, comparison(values), source);
-}
-
-tank_sea::Results compute(const Run& run) {
-  return tank_sea::compute(run, comparison(run));
-}
-
 void irregular_sea_bars(Case& c) {
   c.title = "Model comparison: irregular sea over bars";
   c.source =
@@ -65,7 +55,7 @@ void irregular_sea_bars(Case& c) {
           real("end", 21.0, "sqrt(depth/g)", {1, 100}, "time of the comparison"),
       },
       {16, 32, 32}, true);
-  c.study = Study(claims, compute, tank_sea::show, source);
+  c.study = tank_sea::study<comparison>();
 }
 
 }  // namespace seiche::validation::cases::irregular_sea_bars

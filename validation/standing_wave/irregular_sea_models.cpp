@@ -23,8 +23,6 @@ for which four periods are too short. The mesh tangles in some seas: of five see
 
 namespace seiche::validation::cases::irregular_sea_models {
 
-const std::string source = "potential flow by Cauchy's integral; Frank, Discrete models of incompressible fluid (1994)";
-
 tank_sea::Comparison comparison(const Values& values) {
   const double end = values.real("end");
   return {.sea = {.amplitude = values.real("amplitude"),
@@ -39,14 +37,6 @@ tank_sea::Comparison comparison(const Values& values) {
           .tangles = values.integer("seed") != 1};
 }
 
-void claims(const Values& values, const Claims<tank_sea::Results>& all) {
-  tank_sea::claims(values, all, comparison(values), source);
-}
-
-tank_sea::Results compute(const Run& run) {
-  return tank_sea::compute(run, comparison(run));
-}
-
 void irregular_sea_models(Case& c) {
   c.title = "Model comparison: irregular sea in a tank";
   c.source = "K. Hasselmann et al., Dtsch. Hydrogr. Z. A 8(12) (1973); " + literature::longuet_higgins_cokelet;
@@ -57,7 +47,7 @@ void irregular_sea_models(Case& c) {
           real("end", 18.0, "sqrt(depth/g)", {1, 100}, "time of the comparison"),
       },
       64L);
-  c.study = Study(claims, compute, tank_sea::show, source);
+  c.study = tank_sea::study<comparison>();
 }
 
 }  // namespace seiche::validation::cases::irregular_sea_models

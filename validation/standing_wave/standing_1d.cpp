@@ -52,18 +52,14 @@ constexpr double pi = std::numbers::pi;
 const std::string frank = "Frank, Discrete models of incompressible fluids (1994), section 3.3; averaged Lagrangian";
 const std::string water = "Tadjbakhsh and Keller, J. Fluid Mech. 8 (1960) 442";
 
-/// Weight of the added energy with which the critical wavelength is that of water.
-double exponent_of_water(double alpha, double gamma) {
-  return DispersiveStandingWave::exponent_for_critical_depth(exact::StandingWave::critical_depth(), alpha, gamma)
-      .value();
-}
-
 const Parameters frank_model{.weight_exponent = 2};
 const Parameters improved{.alpha = 0.4, .gamma = 1.0 / 15, .weight_exponent = 2};
 
+/// With the weight of the added energy with which the critical wavelength is that of water.
 Parameters like_water() {
   Parameters parameters = improved;
-  parameters.weight_exponent = exponent_of_water(improved.alpha, improved.gamma);
+  parameters.weight_exponent = *DispersiveStandingWave::exponent_for_critical_depth(
+      exact::StandingWave::critical_depth(), improved.alpha, improved.gamma);
   return parameters;
 }
 
@@ -85,9 +81,8 @@ class Limit {
         scheme_{.stepping = stepping_named(values.text("scheme"))} {}
 
   [[nodiscard]] double coefficient(double kh, const Parameters& parameters) const {
-    const double coarse = of_small_waves(kh, parameters, cells_);
     const double fine = of_small_waves(kh, parameters, 2 * cells_);
-    return fine + (fine - coarse) / 3;
+    return fine + (fine - of_small_waves(kh, parameters, cells_)) / 3;
   }
 
   /// Root between two depths at which the coefficient has different signs.
@@ -275,7 +270,8 @@ Results compute(const Run& run) {
   return r;
 }
 
-void tabulate(const Results& r, evidence::Exhibit& exhibit) {
+/// Coefficients over wavelengths: lines, what was measured, and the critical wavelengths.
+void show_coefficients(const Results& r, evidence::Exhibit& exhibit) {
   evidence::Table& table = add_table(exhibit, "coefficients", "Change of frequency with amplitude",
                                      "C of Frank's model, measured and theoretical, and of water.",
                                      {"k H", "wavelength/H", "measured", "theory", "Tadjbakhsh and Keller"});
@@ -284,10 +280,6 @@ void tabulate(const Results& r, evidence::Exhibit& exhibit) {
     table.rows.push_back({kh, 2 * pi / kh, r.coefficients[k],
                           DispersiveStandingWave::frequency_correction(kh, frank_model), in_water(kh)});
   }
-}
-
-/// Coefficients over wavelengths: lines, what was measured, and the critical wavelengths.
-void draw_coefficients(const Results& r, evidence::Exhibit& exhibit) {
   auto& panel = add_panel(
       exhibit, "coefficient", "Dependence of the standing-wave frequency on amplitude",
       "Coefficient of $(a/H)^2$ in the relative change of frequency, over the wavelength. Lines are theory, circles "
@@ -324,8 +316,7 @@ void draw_frequencies(const Results& r, evidence::Exhibit& exhibit) {
 
 void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   const StandingBox own = own_box(values);
-  tabulate(r, exhibit);
-  draw_coefficients(r, exhibit);
+  show_coefficients(r, exhibit);
   draw_frequencies(r, exhibit);
   exhibit.measure("omega_measured", r.own.frequency);
   exhibit.measure("omega_linear", own.linear_frequency());

@@ -18,6 +18,7 @@ force, last for nearly five periods. Variable-mass particles complete. Where the
 back, the energy of the motion passes into short waves after a few periods, on finer meshes too. Nodes of constant $x$,
 here on twice as many rows, exchange more water per step, and lose about 1 % of the energy in ten periods.
 */
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -85,8 +86,10 @@ struct Wave {
 };
 
 /// Kinetic energy outside the linear wave's field.
-template <class Model>
-double outside(const Model& model, const mechanics::State& state) {
+template <class Flow>
+double outside(const Flow& flow) {
+  const auto& model = flow.model();
+  const mechanics::State& state = flow.state();
   const std::size_t n = state.q.size() / 2;
   std::vector<double> field(2 * n);
   for (std::size_t i = 0; i < n; ++i) {
@@ -116,19 +119,19 @@ double mode(const std::vector<Point>& surface) {
 }
 
 /// Follows a flow for so many periods, or until it breaks down.
-template <class Flow, class Model, class Surface>
-Wave follow(Flow& flow, const Model& model, const Surface& surface, double tau, double periods) {
-  const double kinetic = model.kinetic_energy(flow.state().q, flow.state().u);
+template <class Flow, class Surface>
+Wave follow(Flow&& flow, const Surface& surface, double tau, double periods) {
+  const auto& model = flow.model();
+  const auto kinetic_energy = [&] { return model.kinetic_energy(flow.state().q, flow.state().u); };
+  const double kinetic = kinetic_energy();
   const double energy = kinetic + model.potential_energy(flow.state().q);
   Wave wave;
   const auto look = [&] {
     wave.time.push_back(flow.time());
     wave.amplitude.push_back(mode(surface(flow)));
-    wave.noise.push_back(outside(model, flow.state()) / kinetic);
+    wave.noise.push_back(outside(flow) / kinetic);
     wave.lasted = flow.time() / period();
-    wave.lost =
-        (energy - model.kinetic_energy(flow.state().q, flow.state().u) - model.potential_energy(flow.state().q)) /
-        kinetic;
+    wave.lost = (energy - kinetic_energy() - model.potential_energy(flow.state().q)) / kinetic;
   };
   look();
   try {
@@ -156,28 +159,24 @@ Wave run_wave(const Kind& kind, double amplitude, long rows, double tau, double 
   };
   const int columns = static_cast<int>(length) * static_cast<int>(rows);
   if (kind.model == Kind::quadrilaterals) {
-    lagrangian_mesh_2d::Flow flow(
-        lagrangian_mesh_2d::layer_mesh(
-            {.end = length, .columns = static_cast<std::size_t>(columns), .rows = static_cast<std::size_t>(rows)}),
-        start);
-    const auto surface = [](const lagrangian_mesh_2d::Flow& f) { return joined({f.surface_x(), f.surface_y()}); };
-    return follow(flow, flow.model(), surface, tau, periods);
+    const auto surface = [](const auto& flow) { return joined({flow.surface_x(), flow.surface_y()}); };
+    return follow(lagrangian_mesh_2d::Flow(lagrangian_mesh_2d::layer_mesh({.end = length,
+                                                                           .columns = static_cast<std::size_t>(columns),
+                                                                           .rows = static_cast<std::size_t>(rows)}),
+                                           start),
+                  surface, tau, periods);
   }
   const free_lagrangian::Mesh rest =
       free_lagrangian::layer_mesh({.end = length, .columns = columns, .rows = static_cast<int>(rows)});
   const variable_mass::Surface top(rest);
+  const auto surface = [&](const auto& flow) { return chosen(top.nodes(), {flow.x(), flow.y()}); };
   if (kind.model == Kind::dirichlet) {
-    dirichlet_mesh::Flow flow(rest, start, {.stabilisation = kind.stabilisation}, drift_feedback);
-    return follow(
-        flow, flow.model(),
-        [&](const dirichlet_mesh::Flow& f) {
-          return chosen(top.nodes(), {f.x(), f.y()});
-        },
-        tau, periods);
+    return follow(dirichlet_mesh::Flow(rest, start, {.stabilisation = kind.stabilisation}, drift_feedback), surface,
+                  tau, periods);
   }
-  variable_mass::Flow flow(rest, {.velocity = start}, control, {.stabilisation = kind.stabilisation}, drift_feedback);
   return follow(
-      flow, flow.water(), [&](const variable_mass::Flow& f) { return chosen(top.nodes(), f.nodes()); }, tau, periods);
+      variable_mass::Flow(rest, {.velocity = start}, control, {.stabilisation = kind.stabilisation}, drift_feedback),
+      surface, tau, periods);
 }
 
 /// A model on finer meshes: errors of the period, and noise.
@@ -185,7 +184,6 @@ struct Results {
   Refinement period = {};  ///< |T/T_0 - 1|, a quantity for each kind
   Refinement noise = {};   ///< largest
   std::vector<Wave> life = {};
-  double periods = 0;
 
   [[nodiscard]] double noise_ratio(std::size_t kind) const {
     return noise.finest(kind) / noise.on(std::lround(noise.n().back() / 2), kind);
@@ -194,9 +192,7 @@ struct Results {
 
 std::vector<long> meshes(const Values& values) {
   std::vector<long> rows;
-  for (const long n : ladder) {
-    if (n <= values.integer("ny")) rows.push_back(n);
-  }
+  std::ranges::copy_if(ladder, std::back_inserter(rows), [&](long n) { return n <= values.integer("ny"); });
   return rows;
 }
 
@@ -237,8 +233,7 @@ void claims(const Values& values, const Claims<Results>& claims) {
   study("period").claim_orders(
       claims.of(&Results::period)
           .only_if(rows.size() >= 6, "on fewer meshes the scatter of errors leaves the order undetermined: ny = 24"));
-  const std::string finest = fmt::format("{} rows, a = {:g}", rows.back(), small_amplitude);
-  claims.at(finest)
+  claims.at(fmt::format("{} rows, a = {:g}", rows.back(), small_amplitude))
       .from("Frank (1994), 5.2, in words")
       .check(
           "noise",
@@ -263,26 +258,24 @@ void claims(const Values& values, const Claims<Results>& claims) {
   const double amplitude = values.real("amplitude");
   const bool controlled = values.text("control") == "mapped" || values.text("control") == "fixed_x";
   const auto life = claims.at(fmt::format("{} rows, a = {:g}", rows_of_life, amplitude));
-  const auto lasts = [periods](std::size_t kind) {
-    return [kind, periods](const Results& r) { return std::min(r.life.at(kind).lasted, periods); };
+  const auto completes = [periods](const Claims<Results>& list, const std::string& id, const std::string& text,
+                                   std::size_t kind) {
+    list.check(
+        "life-" + id, text, "periods until it breaks down",
+        [=](const Results& r) { return std::min(r.life.at(kind).lasted, periods); },
+        Bound{.limit = 1e-9, .reason = "the requested periods", .expected = periods});
   };
-  const Bound whole{.limit = 1e-9, .reason = "the requested periods", .expected = periods};
-  const auto claim = [](const std::string& id, const std::string& text) {
-    return evidence::Claim{"life-" + id, text, "periods until it breaks down", "1", source};
-  };
-  life.only_if(controlled, "surface nodes without a restoring force collide")
-      .check(claim("variable-mass",
-                   "The run of the high wave with variable-mass particles completes the requested periods, to 1e-9."),
-             lasts(of_variable), whole);
-  const auto fixed = claims.at(fmt::format("{} rows, a = {:g}", rows_of(of_fixed), amplitude));
+  completes(life.only_if(controlled, "surface nodes without a restoring force collide"), "variable-mass",
+            "The run of the high wave with variable-mass particles completes the requested periods, to 1e-9.",
+            of_variable);
   const auto at_fixed_x =
-      fixed.only_if(amplitude <= 0.1 && values.real("surface_rate") >= 1 && values.real("rate") >= 1,
-                    "with higher waves, or weaker control, the model breaks down where the surface is steepest");
-  at_fixed_x.check(
-      claim(
-          "variable-mass-fixed",
-          "The run of the high wave with variable-mass particles at fixed x completes the requested periods, to 1e-9."),
-      lasts(of_fixed), whole);
+      claims.at(fmt::format("{} rows, a = {:g}", rows_of(of_fixed), amplitude))
+          .only_if(amplitude <= 0.1 && values.real("surface_rate") >= 1 && values.real("rate") >= 1,
+                   "with higher waves, or weaker control, the model breaks down where the surface is steepest");
+  completes(
+      at_fixed_x, "variable-mass-fixed",
+      "The run of the high wave with variable-mass particles at fixed x completes the requested periods, to 1e-9.",
+      of_fixed);
   at_fixed_x.only_if(periods <= 10, "the loss grows with time")
       .check(
           "loss-of-life", "The energy loss of variable-mass particles is below 10 % of the initial kinetic energy.",
@@ -317,18 +310,19 @@ void claims(const Values& values, const Claims<Results>& claims) {
           "wave.",
           "largest noise of particles of variable mass",
           [](const Results& r) { return largest(r.life.at(of_variable).noise); }, one_wave);
-  life.only_if(amplitude == 0.1 && periods >= 3, "the life of Dirichlet cells depends on the wave height")
-      .fails({.value = 1.12,
-              .width = 0.2,
-              .reason = "no force restores the position of a node in its cell: the instability belongs to the model, "
-                        "not to the time step; a triangle of the outline inverts after about one period"})
-      .check(claim("dirichlet",
-                   "The run of the high standing wave with Dirichlet cells completes the requested periods, to 1e-9."),
-             lasts(of_dirichlet), whole);
+  completes(life.only_if(amplitude == 0.1 && periods >= 3, "the life of Dirichlet cells depends on the wave height")
+                .fails({.value = 1.12,
+                        .width = 0.2,
+                        .reason = "no force restores the position of a node in its cell: the instability belongs to "
+                                  "the model, not to the time step; a triangle of the outline inverts after about one "
+                                  "period"}),
+            "dirichlet",
+            "The run of the high standing wave with Dirichlet cells completes the requested periods, to 1e-9.",
+            of_dirichlet);
 }
 
 Results compute(const Run& run) {
-  Results r{.periods = run.real("periods")};
+  Results r;
   const variable_mass::Control control{variable_mass::control_named(run.text("control")), run.real("rate"),
                                        run.real("surface_rate")};
   const std::vector<long> rows = meshes(run);
@@ -350,7 +344,7 @@ Results compute(const Run& run) {
     variable_mass::Control own = control;
     if (i == of_fixed) own.kind = variable_mass::ControlKind::fixed_x;
     const double tau = courant_of_life / static_cast<double>(rows_of(i));
-    r.life.push_back(run_wave(all[i], run.real("amplitude"), rows_of(i), tau, r.periods, own,
+    r.life.push_back(run_wave(all[i], run.real("amplitude"), rows_of(i), tau, run.real("periods"), own,
                               all[i].model == Kind::variable ? 0.2 : 0));
   }
   return r;

@@ -113,9 +113,7 @@ OfSmallWaves of_small_waves(const Values& run, double wavelength, std::size_t ro
   const double size = 1 / static_cast<double>(rows);
   const MeshTank tank = tank_of(run, wavelength, size, rows, 0.5 * size);
   constexpr std::array amplitudes{0.01, 0.02, 0.04};
-  std::array<double, 3> square{};
-  std::array<double, 3> whole{};
-  std::array<double, 3> half{};
+  std::array<double, 3> square{}, whole{}, half{};
   for (std::size_t i = 0; i < amplitudes.size(); ++i) {
     square[i] = amplitudes[i] * amplitudes[i];
     const std::vector<double> series = finite_series(tank, amplitudes[i], run.real("periods") * period_of(wavelength));
@@ -128,31 +126,26 @@ OfSmallWaves of_small_waves(const Values& run, double wavelength, std::size_t ro
 constexpr std::array wavelengths{4.0, 5.0, 5.94, 7.0, 10.0};
 constexpr std::size_t nearly_critical = 2;
 
-/// One entry per wavelength.
-struct Coefficients {
-  std::vector<double> coarse, fine, limit;
-  std::vector<double> uncertainty;  ///< of the limit
+/// At one of the wavelengths.
+struct Coefficient {
+  double coarse = 0, fine = 0;
+  Measurement limit = {};
 };
+using Coefficients = std::vector<Coefficient>;
 
-std::size_t finest_rows(const Values& values) {
-  return values.count("finest_rows");
+double limit_of(const Coefficient& c) {
+  return c.limit.value;
 }
 
-Coefficients measure(const Run& run) {
-  const std::size_t finest = finest_rows(run);
-  Coefficients c;
-  for (const double wavelength : wavelengths) {
-    const OfSmallWaves coarse = of_small_waves(run, wavelength, finest / 2);
-    const OfSmallWaves fine = of_small_waves(run, wavelength, finest);
-    const double step = (fine.whole - coarse.whole) / 3;
-    const double half_step = (fine.half - coarse.half) / 3;
-    c.coarse.push_back(coarse.whole);
-    c.fine.push_back(fine.whole);
-    c.limit.push_back(fine.whole + step);
-    c.uncertainty.push_back(std::abs(step) + std::abs(fine.whole + step - fine.half - half_step));
-    run.progress(0.1 + 0.12 * static_cast<double>(c.limit.size()));
-  }
-  return c;
+Coefficient measured(const Run& run, double wavelength) {
+  const OfSmallWaves coarse = of_small_waves(run, wavelength, run.count("finest_rows") / 2);
+  const OfSmallWaves fine = of_small_waves(run, wavelength, run.count("finest_rows"));
+  const double step = (fine.whole - coarse.whole) / 3;
+  const double half_step = (fine.half - coarse.half) / 3;
+  return {coarse.whole,
+          fine.whole,
+          {.value = fine.whole + step,
+           .uncertainty = std::abs(step) + std::abs(fine.whole + step - fine.half - half_step)}};
 }
 
 /// Wavelength at which a coefficient vanishes: the quadratic through the three middle wavelengths, read as a function
@@ -177,7 +170,7 @@ struct Frequencies {
 const std::vector<double> amplitudes = {0.02, 0.04, 0.06, 0.08, 0.1};
 
 std::vector<Frequencies> frequencies(const Run& run) {
-  const std::size_t finest = finest_rows(run);
+  const std::size_t finest = run.count("finest_rows");
   const double size = 2 / static_cast<double>(finest);
   std::vector<Frequencies> all;
   for (const double wavelength : {4.0, 5.94, 10.0}) {
@@ -185,8 +178,7 @@ std::vector<Frequencies> frequencies(const Run& run) {
     const double time = run.real("periods") * period_of(wavelength);
     const auto of = [&](double a) { return finite_oscillation(tank, a, time).frequency; };
     const double linear = (4 * of(0.01) - of(0.02)) / 3;
-    Frequencies& found = all.emplace_back(Frequencies{wavelength, {}});
-    for (const double a : amplitudes) found.changes.push_back(of(a) / linear - 1);
+    all.push_back({wavelength, each(amplitudes, [&](double a) { return of(a) / linear - 1; })});
   }
   return all;
 }
@@ -199,8 +191,10 @@ struct Results {
 
 Results compute(const Run& run) {
   Results r{.own = own_wave(run)};
-  run.progress(0.1);
-  r.coefficients = measure(run);
+  for (const double wavelength : wavelengths) {
+    run.progress(0.1 + 0.12 * static_cast<double>(r.coefficients.size()));
+    r.coefficients.push_back(measured(run, wavelength));
+  }
   run.progress(0.7);
   r.frequencies = frequencies(run);
   return r;
@@ -210,25 +204,23 @@ void claim_coefficients(const Claims<Coefficients>& claims, std::size_t finest) 
   for (std::size_t i = 0; i < wavelengths.size(); ++i) {
     const double wavelength = wavelengths[i];
     const std::string id = fmt::format("{:.0f}", 100 * wavelength);
-    claims.at(fmt::format("{} rows, a -> 0", finest / 2))
+    claims.entry(i)
+        .at(fmt::format("{} rows, a -> 0", finest / 2))
         .only_if(finest >= 16, "the bound holds for eight rows or more")
         .check(
             "mesh-" + id,
             fmt::format("The coefficient C of the coarser mesh at wavelength L/h = {:g} agrees with theory within 30 "
                         "%, or 0.1 where it nearly vanishes.",
                         wavelength),
-            "C = (Omega/omega - 1)/(a/H)^2", [i](const Coefficients& c) { return c.coarse.at(i); },
-            coarse_bound(wavelength));
-    claims.at(fmt::format("{} and {} rows", finest / 2, finest))
+            "C = (Omega/omega - 1)/(a/H)^2", &Coefficient::coarse, coarse_bound(wavelength));
+    claims.entry(i)
+        .at(fmt::format("{} and {} rows", finest / 2, finest))
         .check(
             "limit-" + id,
             fmt::format("The coefficient at wavelength L/h = {:g}, extrapolated, agrees with theory within its "
                         "expanded uncertainty.",
                         wavelength),
-            "C, extrapolated to small amplitude and fine meshes",
-            [i](const Coefficients& c) -> Measurement {
-              return {.value = c.limit.at(i), .uncertainty = c.uncertainty.at(i)};
-            },
+            "C, extrapolated to small amplitude and fine meshes", &Coefficient::limit,
             Uncertainty{
                 .expected = in_water(wavelength),
                 .useful = 0.5 * coarse_bound(wavelength).limit.value(),
@@ -249,8 +241,8 @@ void claim_root(const Claims<Coefficients>& claims, std::size_t finest) {
           "uncertainty, 0.3 H at most.",
           "critical wavelength/H",
           [slope, interpolation](const Coefficients& c) -> Measurement {
-            return {.value = root_of(c.limit),
-                    .uncertainty = c.uncertainty.at(nearly_critical) / slope + interpolation};
+            return {.value = root_of(each(c, limit_of)),
+                    .uncertainty = *c.at(nearly_critical).limit.uncertainty / slope + interpolation};
           },
           Uncertainty{.expected = exact,
                       .useful = 0.3,
@@ -268,21 +260,19 @@ void claims(const Values& values, const Claims<Results>& claims) {
           "frequency-shift", "The amplitude coefficient C of the wave of the parameters agrees with theory.",
           "C = (Omega/omega - 1)/(a/H)^2", [](const Results& r) { return r.own.shift; },
           coarse_bound(values.real("wavelength")));
-  claim_coefficients(claims.of(&Results::coefficients), finest_rows(values));
-  claim_root(claims.of(&Results::coefficients), finest_rows(values));
+  claim_coefficients(claims.of(&Results::coefficients), values.count("finest_rows"));
+  claim_root(claims.of(&Results::coefficients), values.count("finest_rows"));
 }
 
-void tabulate(evidence::Exhibit& exhibit, const Coefficients& c, std::size_t finest) {
+void show_coefficients(evidence::Exhibit& exhibit, const Coefficients& all, std::size_t finest) {
+  const std::string on_coarse = fmt::format("{} rows", finest / 2);
+  const std::string on_fine = fmt::format("{} rows", finest);
   evidence::Table& table = add_table(exhibit, "coefficients", "Change of frequency with amplitude",
                                      "C in the limit of small amplitude on two meshes, extrapolated, and in water.",
-                                     {"wavelength/H", fmt::format("{} rows", finest / 2),
-                                      fmt::format("{} rows", finest), "extrapolated", "Tadjbakhsh and Keller"});
+                                     {"wavelength/H", on_coarse, on_fine, "extrapolated", "Tadjbakhsh and Keller"});
   for (std::size_t i = 0; i < wavelengths.size(); ++i) {
-    table.rows.push_back({wavelengths[i], c.coarse[i], c.fine[i], c.limit[i], in_water(wavelengths[i])});
+    table.rows.push_back({wavelengths[i], all[i].coarse, all[i].fine, limit_of(all[i]), in_water(wavelengths[i])});
   }
-}
-
-void draw_coefficients(evidence::Exhibit& exhibit, const Coefficients& c, std::size_t finest) {
   auto& figure = exhibit.figure("coefficient", "Dependence of the standing-wave frequency on amplitude",
                                 "Coefficient of $(a/H)^2$ in the relative change of frequency, in the limit of small "
                                 "amplitude. The vertical line is the measured critical wavelength.");
@@ -294,10 +284,11 @@ void draw_coefficients(evidence::Exhibit& exhibit, const Coefficients& c, std::s
   });
   coefficient.line("Tadjbakhsh and Keller", lengths, each(lengths, in_water), Role::exact);
   coefficient.line("one-dimensional dispersive model", lengths, markers, Role::guide);
-  coefficient.points(fmt::format("{} rows", finest / 2), wavelengths, c.coarse);
-  coefficient.points(fmt::format("{} rows", finest), wavelengths, c.fine);
-  coefficient.points("extrapolated", wavelengths, c.limit, Role::data);
-  coefficient.vertical("", std::vector{root_of(c.limit)}, Role::guide);
+  const std::vector<double> limits = each(all, limit_of);
+  coefficient.points(on_coarse, wavelengths, each(all, &Coefficient::coarse));
+  coefficient.points(on_fine, wavelengths, each(all, &Coefficient::fine));
+  coefficient.points("extrapolated", wavelengths, limits, Role::data);
+  coefficient.vertical("", std::vector{root_of(limits)}, Role::guide);
 }
 
 void draw_frequencies(evidence::Exhibit& exhibit, const std::vector<Frequencies>& all) {
@@ -318,10 +309,9 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   exhibit.measure("frequency", r.own.wave.frequency);
   exhibit.measure("linear_frequency", r.own.linear);
   exhibit.measure("misfit", r.own.wave.misfit);
-  exhibit.measure("critical_wavelength_coarse", root_of(c.coarse));
-  exhibit.measure("critical_wavelength_fine", root_of(c.fine));
-  tabulate(exhibit, c, finest_rows(values));
-  draw_coefficients(exhibit, c, finest_rows(values));
+  exhibit.measure("critical_wavelength_coarse", root_of(each(c, &Coefficient::coarse)));
+  exhibit.measure("critical_wavelength_fine", root_of(each(c, &Coefficient::fine)));
+  show_coefficients(exhibit, c, values.count("finest_rows"));
   draw_frequencies(exhibit, r.frequencies);
 }
 

@@ -66,18 +66,17 @@ struct Life {
 
 /// One wave: Frank's model, with the hourglass potential, and the variants that are compared with them.
 struct Wave {
-  Life without, with;
-  Life rezoned;                       ///< without it, on a mesh that is rezoned
+  double amplitude;
+  std::string suffix = {};  ///< of the ids of the low wave
+  Life without = {}, with = {};
+  Life rezoned = {};                  ///< without it, on a mesh that is rezoned
   double tangles_conservative = nan;  ///< without it; where the time of the tangle is compared
   double tangles_half_step = nan;
   double change = nan;  ///< of the frequency by the potential, relative
 
   /// Of the times of the tangle without the potential.
   [[nodiscard]] double spread() const {
-    Worst difference;
-    difference.add(tangles_conservative - without.end());
-    difference.add(tangles_half_step - without.end());
-    return difference.value();
+    return worst(std::array{tangles_conservative - without.end(), tangles_half_step - without.end()});
   }
 };
 
@@ -100,14 +99,13 @@ std::optional<KnownTangle> known_tangle(const Values& values, double amplitude) 
   return {};
 }
 
-std::vector<double> amplitudes(const Values& values) {
+/// Not yet computed.
+Results waves_of(const Values& values) {
   const double amplitude = values.real("amplitude");
-  return values.toggle("low_wave_too") ? std::vector{amplitude, amplitude / 3} : std::vector{amplitude};
-}
-
-/// Of the ids of the first wave and of the low one.
-std::string suffix(std::size_t wave) {
-  return wave == 0 ? "" : "-low";
+  Results waves;
+  waves.push_back({.amplitude = amplitude});
+  if (values.toggle("low_wave_too")) waves.push_back({.amplitude = amplitude / 3, .suffix = "-low"});
+  return waves;
 }
 
 MeshTank tank_of(const Values& values) {
@@ -157,11 +155,10 @@ Life live(const Values& values, const Setting& setting) {
 
 Results compute(const Run& run) {
   const double tau = run.real("tau");
-  const double hourglass = run.real("hourglass");
-  const std::vector<double> waves = amplitudes(run);
-  Results results;
-  for (const double amplitude : waves) {
-    Wave& wave = results.emplace_back();
+  Results results = waves_of(run);
+  double done = 0;
+  for (Wave& wave : results) {
+    const double amplitude = wave.amplitude;
     wave.without = live(run, {amplitude, tau, 0});
     if (known_tangle(run, amplitude)) {
       const auto tangles = [&](double step, Stepping stepping) {
@@ -171,11 +168,11 @@ Results compute(const Run& run) {
       wave.tangles_conservative = tangles(tau, Stepping::conservative);
       wave.tangles_half_step = tangles(0.5 * tau, Stepping::one_step);
     }
-    run.progress((static_cast<double>(results.size()) - 0.7) / static_cast<double>(waves.size()));
-    wave.with = live(run, {amplitude, tau, hourglass});
+    run.progress((done + 0.3) / static_cast<double>(results.size()));
+    wave.with = live(run, {amplitude, tau, run.real("hourglass")});
     wave.change = wave.with.frequency() / wave.without.frequency() - 1;
     if (can_be_rezoned(run)) wave.rezoned = live(run, {amplitude, tau, 0, Stepping::one_step, true});
-    run.progress(static_cast<double>(results.size()) / static_cast<double>(waves.size()));
+    run.progress(++done / static_cast<double>(results.size()));
   }
   return results;
 }
@@ -259,15 +256,13 @@ void claim_rezoned(const Claims<Wave>& all, const Values& values, const std::str
 }
 
 void claims(const Values& values, const Claims<Results>& claims) {
-  const std::vector<double> waves = amplitudes(values);
+  const Claims<Results> all = claims.at(
+      fmt::format("{} x {} cells, tau = {:g}", values.integer("columns"), values.integer("rows"), values.real("tau")));
+  const Results waves = waves_of(values);
   for (std::size_t i = 0; i < waves.size(); ++i) {
-    const Claims<Wave> wave = claims
-                                  .at(fmt::format("{} x {} cells, tau = {:g}", values.integer("columns"),
-                                                  values.integer("rows"), values.real("tau")))
-                                  .entry(i);
-    claim_tangle(wave, values, waves[i], suffix(i));
-    claim_longer_life(wave, values, suffix(i));
-    claim_rezoned(wave, values, suffix(i));
+    claim_tangle(all.entry(i), values, waves[i].amplitude, waves[i].suffix);
+    claim_longer_life(all.entry(i), values, waves[i].suffix);
+    claim_rezoned(all.entry(i), values, waves[i].suffix);
   }
 }
 
@@ -279,7 +274,9 @@ std::vector<double> thinned(const std::vector<double>& values) {
   return kept;
 }
 
-void draw(evidence::Exhibit& exhibit, const Wave& wave, double amplitude, double hourglass, const std::string& suffix) {
+void draw(evidence::Exhibit& exhibit, const Wave& wave, double hourglass) {
+  const double amplitude = wave.amplitude;
+  const std::string& suffix = wave.suffix;
   const Life& without = wave.without;
   const Life& with = wave.with;
   auto& histories =
@@ -288,15 +285,14 @@ void draw(evidence::Exhibit& exhibit, const Wave& wave, double amplitude, double
                      "of the one-step scheme, which does not indicate tangling.");
   auto& corner = histories.panel({.x = "t", .y = "worst corner", .y_min = 0, .y_max = 1.02});
   auto& energy = histories.panel({.x = "t", .y = "energy error, relative"});
-  const std::string label = fmt::format("hourglass potential {:g}", hourglass);
-  corner.line("without", thinned(without.time), thinned(without.corner), Role::peer);
-  corner.line(label, thinned(with.time), thinned(with.corner));
-  energy.line("without", thinned(without.time), thinned(without.energy_error), Role::peer);
-  energy.line(label, thinned(with.time), thinned(with.energy_error));
-  if (wave.rezoned.flow) {
-    corner.line("rezoned", thinned(wave.rezoned.time), thinned(wave.rezoned.corner), Role::peer);
-    energy.line("rezoned", thinned(wave.rezoned.time), thinned(wave.rezoned.energy_error), Role::peer);
-  }
+  const auto add = [&](const std::string& label, const Life& life, Role role) {
+    if (!life.flow) return;
+    corner.line(label, thinned(life.time), thinned(life.corner), role);
+    energy.line(label, thinned(life.time), thinned(life.energy_error), role);
+  };
+  add("without", without, Role::peer);
+  add(fmt::format("hourglass potential {:g}", hourglass), with, Role::computed);
+  add("rezoned", wave.rezoned, Role::peer);
   exhibit.measure("worst_corner" + suffix, smallest(with.corner));
   exhibit.measure("frequency" + suffix, without.frequency());
   if (!without.tangle) return;
@@ -311,10 +307,7 @@ void draw(evidence::Exhibit& exhibit, const Wave& wave, double amplitude, double
 }
 
 void show(const Results& results, const Values& values, evidence::Exhibit& exhibit) {
-  const std::vector<double> waves = amplitudes(values);
-  for (std::size_t i = 0; i < waves.size(); ++i) {
-    draw(exhibit, results[i], waves[i], values.real("hourglass"), suffix(i));
-  }
+  for (const Wave& wave : results) draw(exhibit, wave, values.real("hourglass"));
 }
 
 void standing_wave_mesh_life(Case& c) {

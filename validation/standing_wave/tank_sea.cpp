@@ -125,29 +125,29 @@ std::vector<Parameter> with_sizes(std::vector<Parameter> own, ByTier<long> mesh,
   return own;
 }
 
-void claims(const Values& values, const Claims<Results>& all, const Comparison& comparison, const std::string& source) {
+void claims(const Values& values, const Claims<Results>& all, const Comparison& comparison) {
   const double amplitude = comparison.sea.amplitude, end = comparison.end;
   const auto at_end = all.at("the finest, " + comparison.instant);
   const auto nonlinear =
       at_end.only_if(amplitude >= steep / 2 && amplitude <= steep && end <= comparison.soon,
                      "lower waves and longer runs differ from linear theory by less than the phase errors of the "
                      "grids; higher waves tangle the mesh");
-  const std::string yardstick = comparison.barred() ? "the effect of the bars" : "linear theory's error";
+  const bool barred = comparison.barred();
+  const std::string yardstick = barred ? "the effect of the bars" : "linear theory's error";
   const std::string tangles = "the mesh tangles in some seas before the end";
   for (const Named& model : {particles, mesh}) {
     nonlinear.only_if(model.id != mesh.id || !comparison.tangles, tangles)
         .from("potential flow by Cauchy's integral, spectral")
         .check(
-            model.id + (comparison.barred() ? "-beside-level" : "-beside-linear"),
+            model.id + (barred ? "-beside-level" : "-beside-linear"),
             fmt::format("The surface error is below {:g} of {}: {}.", comparison.resolved, yardstick, model.name),
             "rms error of the surface over " + yardstick,
             [id = model.id](const Results& r) { return r.contest.of(id).finest().error / r.yardstick; },
             Bound{.limit = comparison.resolved,
-                  .reason = comparison.barred()
-                                ? "the effect of the bars is what the sea differs by from that over a level bottom; a "
-                                  "model resolves it with an error below this share of it"
-                                : "the error of linear theory measures the nonlinearity of the waves, which a model "
-                                  "resolves with an error below this share of it"});
+                  .reason = barred ? "the effect of the bars is what the sea differs by from that over a level bottom; "
+                                     "a model resolves it with an error below this share of it"
+                                   : "the error of linear theory measures the nonlinearity of the waves, which a model "
+                                     "resolves with an error below this share of it"});
   }
   const Claims<Contest> claims = at_end.of(&Results::contest);
   const double spacing = 1 / values.number("markers");
@@ -156,7 +156,7 @@ void claims(const Values& values, const Claims<Results>& all, const Comparison& 
     return exact::discrete_frequency(law.frequency(k), 0.25 * spacing, exact::TimeScheme::one_step);
   });
   claims_of(claims, "dispersive")
-      .only_if(!comparison.barred(), "the dispersion relation is that over a level bottom")
+      .only_if(!barred, "the dispersion relation is that over a level bottom")
       .only_if(amplitude <= steep, "higher waves differ from linear waves by more than a tenth of the dispersion error")
       .from("Frank (1994), formula (13); linear waves")
       .check("dispersive-law",

@@ -10,6 +10,9 @@
 
 namespace seiche::validation::tank_sea {
 
+inline const std::string source =
+    "potential flow by Cauchy's integral; Frank, Discrete models of incompressible fluid (1994)";
+
 constexpr double length = 6;  ///< of the tank
 
 struct Comparison {
@@ -36,10 +39,18 @@ struct Results {
 /// @param mesh  rows of the finest mesh
 std::vector<Parameter> with_sizes(std::vector<Parameter> own, ByTier<long> mesh, bool barred = false);
 
-void claims(const Values& values, const Claims<Results>& all, const Comparison& comparison, const std::string& source);
+void claims(const Values& values, const Claims<Results>& all, const Comparison& comparison);
 
 Results compute(const Run& run, const Comparison& comparison);
 
 void show(const Results& results, const Values& values, evidence::Exhibit& exhibit);
+
+/// The study of a case. @tparam comparison  Comparison (const Values&)
+template <auto comparison>
+Study study() {
+  return Study(
+      +[](const Values& values, const Claims<Results>& all) { claims(values, all, comparison(values)); },
+      +[](const Run& run) { return compute(run, comparison(run)); }, show, source);
+}
 
 }  // namespace seiche::validation::tank_sea

@@ -23,21 +23,11 @@ focus being some three periods.
 
 namespace seiche::validation::cases::wave_group_models {
 
-const std::string source = "potential flow by Cauchy's integral; Frank, Discrete models of incompressible fluid (1994)";
-
 tank_sea::Comparison comparison(const Values& values) {
   return {.sea = {.amplitude = values.real("amplitude"), .focus = values.real("focus")},
           .end = values.real("focus"),
           .last = 1.5 * values.real("focus"),
           .instant = "at the focus"};
-}
-
-void claims(const Values& values, const Claims<tank_sea::Results>& all) {
-  tank_sea::claims(values, all, comparison(values), source);
-}
-
-tank_sea::Results compute(const Run& run) {
-  return tank_sea::compute(run, comparison(run));
 }
 
 void wave_group_models(Case& c) {
@@ -50,7 +40,7 @@ void wave_group_models(Case& c) {
           real("focus", 9.0, "sqrt(depth/g)", {1, 40}, "time at which the crests meet at the wall"),
       },
       {16, 32, 32});
-  c.study = Study(claims, compute, tank_sea::show, source);
+  c.study = tank_sea::study<comparison>();
 }
 
 }  // namespace seiche::validation::cases::wave_group_models

@@ -8,6 +8,7 @@
 
 #include "validation/case/claims.hpp"
 #include "validation/case/submission.hpp"
+#include "validation/steady_flow/settled_flow.hpp"
 #include "validation/studies/shallow_water/profile_measures.hpp"
 #include "validation/studies/shallow_water/profile_points.hpp"
 
@@ -36,8 +37,16 @@ Parameter level_tolerance_parameter();
 /// judged_cell() and submitted_points() do.
 Submission submission_of(const std::function<JudgedSteadyFlow(const Values&)>& flow_of);
 
-/// The same claims of a flow of our own. @param prefix  of their ids: "judged-", or with the regime before it
-void claim_steady_flow(const Claims<Profile>& claims, const JudgedSteadyFlow& flow, double cell,
-                       const std::string& prefix = "judged-");
+/// How a flow of our own has settled.
+struct SettlingRun {
+  long particles = 0;
+  double time = 0;          ///< [s]
+  double depth = 0;         ///< largest [m]
+  double celerity = 0;      ///< largest [m/s]
+  std::string regime = {};  ///< of several: before the ids of its claims
+};
+
+/// The same claims of such a flow, and that of its mass.
+void claim_steady_flow(const Claims<Settled>& claims, const JudgedSteadyFlow& flow, const SettlingRun& run);
 
 }  // namespace seiche::validation

@@ -22,41 +22,32 @@ scatter too much for an order.
 #include <fmt/format.h>
 
 #include "seiche/exact/shallow_water/steady_flow.hpp"
-#include "seiche/models/shallow_water_particles/particle_flow.hpp"
-#include "seiche/models/shallow_water_particles/particles.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/steady_flow/judged_steady_flow.hpp"
-#include "validation/steady_flow/open_ends.hpp"
 #include "validation/steady_flow/settled_flow.hpp"
 #include "validation/studies/shallow_water/profile_measures.hpp"
 
 namespace seiche::validation::cases::macdonald_channel {
 
-namespace particles = shallow_water_particles;
-
 constexpr double discharge = 2;
-
 constexpr double off_ends = 100;  // [m]
 
-/// A flow that has settled, at one resolution.
-struct Settled {
-  Profile profile;       ///< at the end
-  Mean error;            ///< L1 of the depth over the settled instants [m]
-  Mean inner_error;      ///< the same off the ends [m]
-  Mean discharge_error;  ///< L1, relative
-  double mass_defect = 0;
+/// Of a flow at one resolution.
+struct Errors {
+  Mean depth;      ///< L1 over the settled instants [m]
+  Mean inner;      ///< the same off the ends [m]
+  Mean discharge;  ///< L1, relative
 };
 
 struct Results {
-  std::vector<double> widths;
-  std::vector<Settled> settled;
+  std::vector<double> widths = {};
+  std::vector<Errors> errors = {};
+  Settled finest = {};
 
-  [[nodiscard]] const Settled& finest() const { return settled.back(); }
-  [[nodiscard]] evidence::ObservedOrder order(Mean Settled::*error) const {
-    std::vector<double> errors = each(settled, [&](const Settled& s) { return (s.*error).value(); });
-    return evidence::observed_order(widths, errors);
+  [[nodiscard]] evidence::ObservedOrder order(Mean Errors::*error) const {
+    return evidence::observed_order(widths, each(errors, [&](const Errors& e) { return (e.*error).value(); }));
   }
 };
 
@@ -78,42 +69,12 @@ JudgedSteadyFlow judged_flow(const Values& values) {
               fmt::format("seiche exact macdonald --set discharge={:g},gravity={}", discharge, values.real("gravity"))};
 }
 
-Settled settle(const exact::MacDonald& channel, const Values& values, std::size_t count,
-               const Run::Progress& progress) {
-  const double length = channel.length();
-  const double time = values.real("time");
-  // Starts from a flow of the right discharge and twice the rise of depth: the rise has to be found.
-  const auto depth = [&](double x) { return channel.at(x).depth * (1 + 0.1 * std::sin(3.14159 * x / length)); };
-  particles::ParticleFlow flow(
-      particles::particles_from_profile(particles::equal_width_edges(0, length, count), depth,
-                                        [&](double x) { return discharge / depth(x); }),
-      {.left = particles::Open{.discharge = [](double) { return discharge; }, .depth = {}},
-       .right = particles::Open{.discharge = {}, .depth = [h = channel.at(length).depth](double) { return h; }}},
-      {.gravity = values.real("gravity"), .bed = channel.bed(), .manning = channel.manning()});
-  const auto exact = [&](double x) { return channel.at(x); };
-  Settled settled;
-  SettledInstants instants(time);
-  while (flow.time() < time * (1 - 1e-12)) {
-    flow.advance(std::min(flow.largest_step().tau, time - flow.time()));
-    progress(flow.time() / time);
-    if (!instants.reached(flow.time())) continue;
-    const Profile now = flow.measured_profile();
-    settled.error.add(shallow_water::cell_error(now, exact).depth.l1);
-    settled.inner_error.add(shallow_water::cell_error(part_of(now, off_ends, length - off_ends), exact).depth.l1);
-    settled.discharge_error.add(mean_discharge_error(now, discharge));
-  }
-  settled.profile = flow.measured_profile();
-  settled.mass_defect = flow.mass_defect();
-  return settled;
-}
-
 void claims(const Values& values, const Claims<Results>& claims) {
   const exact::MacDonald channel = channel_of(values);
   const long finest = numbers_of_particles(values.integer("particles")).back();
   claims.check(
       "order", "The depth error 100 m off the ends converges at second order with bed and friction.",
-      "observed order of cell L1(h), 100 m off the ends",
-      [](const Results& r) { return r.order(&Settled::inner_error); },
+      "observed order of cell L1(h), 100 m off the ends", [](const Results& r) { return r.order(&Errors::inner); },
       Order{2, 0.5, "second order; particles enter at their own rhythm, which scatters single orders by a few tenths"});
   claims
       .only_if(values.integer("particles") >= 70,
@@ -122,34 +83,40 @@ void claims(const Values& values, const Claims<Results>& claims) {
           "discharge",
           "The discharge converges to a uniform value at an order from 1, at the inlet, to 2, in the rest of the "
           "channel.",
-          "observed order of L1(q)", [](const Results& r) { return r.order(&Settled::discharge_error); },
+          "observed order of L1(q)", [](const Results& r) { return r.order(&Errors::discharge); },
           Order{1.5, 0.5, "between first order of the inlet section and second order of the rest"});
-  claim_steady_flow(claims.at(fmt::format("N = {}", finest)).of([](const Results& r) -> const Profile& {
-    return r.finest().profile;
-  }),
-                    judged_flow(values), channel.length() / static_cast<double>(finest));
-  const State inflow = channel.at(0);
-  claims.at(fmt::format("N = {}", finest))
-      .from("conservation law of mass")
-      .check(
-          "mass", "The mass change equals inflow minus outflow to round-off.", "mass minus the recorded mass [m^2]",
-          [](const Results& r) { return r.finest().mass_defect; },
-          open_ends_roundoff({.length = channel.length(),
-                              .depth = channel.at(channel.length()).depth,
-                              .discharge = discharge,
-                              .celerity = std::sqrt(values.real("gravity") * inflow.depth)},
-                             finest, values.real("time")));
+  claim_steady_flow(claims.at(fmt::format("N = {}", finest)).of(&Results::finest), judged_flow(values),
+                    {.particles = finest,
+                     .time = values.real("time"),
+                     .depth = channel.at(channel.length()).depth,
+                     .celerity = std::sqrt(values.real("gravity") * channel.at(0).depth)});
 }
 
 Results compute(const Run& run) {
   const exact::MacDonald channel = channel_of(run);
+  const double length = channel.length();
+  const auto exact = [&](double x) { return channel.at(x); };
+  // Starts from a flow of the right discharge and twice the rise of depth: the rise has to be found.
+  const OpenReach reach{
+      .length = length,
+      .discharge = discharge,
+      .outflow_depth = channel.at(length).depth,
+      .start_depth = [&](double x) { return channel.at(x).depth * (1 + 0.1 * std::sin(3.14159 * x / length)); },
+      .forcing = {.gravity = run.real("gravity"), .bed = channel.bed(), .manning = channel.manning()}};
   Results r;
-  double done = 0;
   for (const long count : numbers_of_particles(run.integer("particles"))) {
-    r.widths.push_back(channel.length() / static_cast<double>(count));
-    r.settled.push_back(settle(channel, run, static_cast<std::size_t>(count),
-                               [&](double part) { run.progress((done + part) / numbers_of_resolutions); }));
-    ++done;
+    const auto done = static_cast<double>(r.errors.size());
+    Errors errors;
+    r.finest = settle(
+        reach, count, run.real("time"), [&](double part) { run.progress((done + part) / numbers_of_resolutions); },
+        [&](const Profile& now) {
+          const Profile inner = part_of(now, off_ends, length - off_ends);
+          errors.depth.add(shallow_water::cell_error(now, exact).depth.l1);
+          errors.inner.add(shallow_water::cell_error(inner, exact).depth.l1);
+          errors.discharge.add(mean_discharge_error(now, discharge));
+        });
+    r.widths.push_back(length / static_cast<double>(count));
+    r.errors.push_back(errors);
   }
   return r;
 }
@@ -174,13 +141,12 @@ void show(const Results& r, const Values& values, evidence::Exhibit& exhibit) {
   evidence::Table& table = add_table(exhibit, "resolutions", "Refinement", "Mean errors after the flow has settled.",
                                      {"N", "L1(h) [m]", "L1(h) 100 m off the ends [m]", "L1(q)/q"});
   const std::vector<long> numbers = numbers_of_particles(values.integer("particles"));
-  for (std::size_t k = 0; k < r.settled.size(); ++k) {
-    const Settled& s = r.settled[k];
-    table.rows.push_back(
-        {static_cast<double>(numbers[k]), s.error.value(), s.inner_error.value(), s.discharge_error.value()});
+  for (std::size_t k = 0; k < r.errors.size(); ++k) {
+    const auto& [depth, inner, flow] = r.errors[k];
+    table.rows.push_back({static_cast<double>(numbers[k]), depth.value(), inner.value(), flow.value()});
   }
-  exhibit.measure("order_with_ends", r.order(&Settled::error).order);
-  draw(exhibit, channel_of(values), means_of(r.finest().profile));
+  exhibit.measure("order_with_ends", r.order(&Errors::depth).order);
+  draw(exhibit, channel_of(values), means_of(r.finest.profile));
 }
 
 void macdonald_channel(Case& c) {

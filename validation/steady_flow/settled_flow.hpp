@@ -1,9 +1,14 @@
-/// How far a flow of particles between open ends is from a steady state. Particles enter at their own rhythm, so that
-/// no instant is like the next: errors are means over the last fifth of the time.
+/// A flow of particles between open ends that settles: how it is computed, and how far it is from a steady state.
+/// Particles enter at their own rhythm, so that no instant is like the next: errors are means over the last fifth of
+/// the time.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <vector>
 
+#include "seiche/models/shallow_water_particles/particle_flow.hpp"
+#include "validation/case/study.hpp"
 #include "validation/studies/shallow_water/profile_measures.hpp"
 
 namespace seiche::validation {
@@ -12,20 +17,24 @@ namespace seiche::validation {
 inline constexpr int numbers_of_resolutions = 7;
 std::vector<long> numbers_of_particles(long coarsest);
 
-/// 32 instants of the last fifth of a time.
-class SettledInstants {
- public:
-  explicit SettledInstants(double time) : next_(0.8 * time), every_(0.2 * time / 32) {}
-  /// Whether one of them has come since the last one was told.
-  bool reached(double now) {
-    if (now < next_) return false;
-    next_ += every_;
-    return true;
-  }
-
- private:
-  double next_, every_;
+/// Between a left end where the water enters and a right one where it leaves.
+struct OpenReach {
+  double length = 0;                            ///< [m]
+  double discharge = 0;                         ///< of the inflow, and everywhere at t = 0 [m^2/s]
+  std::optional<double> outflow_depth = {};     ///< none where it is supercritical [m]
+  std::function<double(double x)> start_depth;  ///< at t = 0 [m]
+  shallow_water_particles::Forcing forcing = {};
 };
+
+struct Settled {
+  Profile profile;  ///< at the end
+  double mass_defect = 0;
+  double momentum_defect = 0;
+};
+
+/// @param look  called with the profiles of 32 instants of the last fifth of the time
+Settled settle(const OpenReach& reach, long particles, double time, const Run::Progress& progress,
+               const std::function<void(const Profile&)>& look);
 
 /// The particles that lie between two places; throws std::runtime_error where none does.
 Profile part_of(const Profile& whole, double from, double to);

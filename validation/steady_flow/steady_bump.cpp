@@ -30,21 +30,16 @@ deep as at the outflow, particles are six times as long, and each disturbs the f
 
 #include "seiche/exact/shallow_water/steady_flow.hpp"
 #include "seiche/models/shallow_water_finite_volume/finite_volume_flow.hpp"
-#include "seiche/models/shallow_water_particles/particle_flow.hpp"
-#include "seiche/models/shallow_water_particles/particles.hpp"
 #include "validation/case/case.hpp"
 #include "validation/case/reference_case.hpp"
 #include "validation/instruments/each.hpp"
 #include "validation/scoring/score.hpp"
 #include "validation/steady_flow/judged_steady_flow.hpp"
-#include "validation/steady_flow/open_ends.hpp"
 #include "validation/steady_flow/settled_flow.hpp"
 #include "validation/studies/shallow_water/profile_measures.hpp"
 #include "validation/studies/shallow_water/profile_points.hpp"
 
 namespace seiche::validation::cases::steady_bump {
-
-namespace particles = shallow_water_particles;
 
 /// A regime: its exact solution, discharge, and the depth given at the outflow (none where it is supercritical).
 struct Regime {
@@ -106,59 +101,31 @@ JudgedSteadyFlow judged_flow(const Regime& regime, const Values& values) {
   return judged;
 }
 
-/// A settled profile: depth and discharge at cell centres.
-struct Settled {
-  Profile profile;
+/// The same by the peer.
+struct OnCells {
+  Profile profile = {};
   std::vector<double> discharge = {};
-  double mass_defect = 0;
-  double momentum_defect = 0;
 };
 
-/// Calls `each` with the profile at 32 times of the last fifth.
-template <class Each>
-Settled by_particles(const Regime& regime, double gravity, long n, double time, const Run::Progress& progress,
-                     const Each& each) {
-  const double q = regime.flow.discharge();
-  const auto depth = [&](double x) { return regime.start_depth(x); };
-  particles::Open inflow{.discharge = [q](double) { return q; }};
-  particles::Open outflow;
-  if (regime.outflow_depth) outflow.depth = [h = *regime.outflow_depth](double) { return h; };
-  const double length = regime.flow.bump().length;
-  particles::ParticleFlow flow(
-      particles::particles_from_profile(particles::equal_width_edges(0, length, static_cast<std::size_t>(n)), depth,
-                                        [&](double x) { return q / depth(x); }),
-      {.left = inflow, .right = outflow}, {.gravity = gravity, .bed = regime.flow.bed()});
-  SettledInstants instants(time);
-  while (flow.time() < time * (1 - 1e-12)) {
-    flow.advance(std::min(flow.largest_step().tau, time - flow.time()));
-    if (instants.reached(flow.time())) each(flow.measured_profile());
-    progress(flow.time() / time);
-  }
-  Settled settled{
-      .profile = flow.measured_profile(), .mass_defect = flow.mass_defect(), .momentum_defect = flow.momentum_defect()};
-  for (const State& s : settled.profile.means) settled.discharge.push_back(s.depth * s.velocity);
-  return settled;
-}
-
-Settled by_cells(const Regime& regime, double gravity, long n, double time) {
+OnCells by_cells(const Regime& regime, double gravity, long n, double time) {
+  using shallow_water_finite_volume::End;
   const double length = regime.flow.bump().length;
   std::vector<double> depth;
-  std::vector<double> discharge(static_cast<std::size_t>(n), regime.flow.discharge());
   for (long i = 0; i < n; ++i) {
     depth.push_back(regime.start_depth(length * (static_cast<double>(i) + 0.5) / static_cast<double>(n)));
   }
   shallow_water_finite_volume::FiniteVolumeFlow::Settings settings;
   settings.gravity = gravity;
   // The exact end states are held: the weakest way to err at the ends.
-  settings.left = shallow_water_finite_volume::End::inflow(regime.flow.at(0));
-  settings.right = shallow_water_finite_volume::End::inflow(regime.flow.at(length));
-  shallow_water_finite_volume::FiniteVolumeFlow flow(settings, 0, length, depth, discharge, regime.flow.bed());
+  settings.left = End::inflow(regime.flow.at(0));
+  settings.right = End::inflow(regime.flow.at(length));
+  shallow_water_finite_volume::FiniteVolumeFlow flow(
+      settings, 0, length, depth, std::vector<double>(depth.size(), regime.flow.discharge()), regime.flow.bed());
   march(flow, time);
-  Settled settled;
-  settled.profile.edges = flow.edges();
-  for (std::size_t i = 0; i < flow.cells(); ++i) settled.profile.means.push_back({flow.depth()[i], flow.velocity()[i]});
-  settled.discharge.assign(flow.discharge().begin(), flow.discharge().end());
-  return settled;
+  OnCells cells{.discharge = {flow.discharge().begin(), flow.discharge().end()}};
+  cells.profile.edges = flow.edges();
+  for (std::size_t i = 0; i < flow.cells(); ++i) cells.profile.means.push_back({flow.depth()[i], flow.velocity()[i]});
+  return cells;
 }
 
 /// Mean errors of a profile.
@@ -189,14 +156,14 @@ struct Errors {
 constexpr double about_jump = 1;  // [m] to either side
 
 struct Settling {
-  std::vector<Errors> errors;
-  Settled finest;
-  Settled peer;
+  std::vector<Errors> errors = {};
+  Settled finest = {};
+  OnCells peer = {};
 
   [[nodiscard]] evidence::ObservedOrder order(Mean Errors::*error) const {
-    std::vector<double> widths = each(errors, [](const Errors& e) { return 25.0 / static_cast<double>(e.particles); });
-    std::vector<double> means = each(errors, [&](const Errors& e) { return (e.*error).value(); });
-    return evidence::observed_order(widths, means);
+    return evidence::observed_order(
+        each(errors, [](const Errors& e) { return 25.0 / static_cast<double>(e.particles); }),
+        each(errors, [&](const Errors& e) { return (e.*error).value(); }));
   }
 };
 
@@ -245,19 +212,12 @@ void claims(const Values& values, const Claims<Results>& claims) {
     claim_orders(one, regime);
     const long finest = numbers_of_particles(regime.coarseness * values.integer("particles")).back();
     const double depth = regime.start_depth(0);
-    const auto here = one.at(fmt::format("N = {}", finest));
-    claim_steady_flow(here.of([](const Settling& r) -> const Profile& { return r.finest.profile; }),
-                      judged_flow(regime, values), regime.flow.bump().length / static_cast<double>(finest),
-                      regime.name + "-judged-");
-    here.check(
-        regime.name + "-mass",
-        fmt::format("The mass change equals inflow minus outflow to round-off ({}).", regime.name),
-        "mass minus the recorded mass [m^2]", [](const Settling& r) { return r.finest.mass_defect; },
-        open_ends_roundoff({.length = regime.flow.bump().length,
-                            .depth = depth,
-                            .discharge = regime.flow.discharge(),
-                            .celerity = std::sqrt(values.real("gravity") * depth)},
-                           finest, values.real("time")));
+    claim_steady_flow(one.at(fmt::format("N = {}", finest)).of(&Settling::finest), judged_flow(regime, values),
+                      {.particles = finest,
+                       .time = values.real("time"),
+                       .depth = depth,
+                       .celerity = std::sqrt(values.real("gravity") * depth),
+                       .regime = regime.name});
   }
 }
 
@@ -266,12 +226,17 @@ Settling settle(const Regime& regime, const Run& run, const Run::Progress& progr
   const double time = run.real("time");
   const double length = regime.flow.bump().length;
   const double jump = regime.flow.jump();
+  const OpenReach reach{.length = length,
+                        .discharge = regime.flow.discharge(),
+                        .outflow_depth = regime.outflow_depth,
+                        .start_depth = [&](double x) { return regime.start_depth(x); },
+                        .forcing = {.gravity = gravity, .bed = regime.flow.bed()}};
   Settling r;
-  double done = 0;
   for (const long count : numbers_of_particles(regime.coarseness * run.integer("particles"))) {
+    const auto done = static_cast<double>(r.errors.size());
     Errors errors{.particles = count};
-    r.finest = by_particles(
-        regime, gravity, count, time, [&](double part) { progress((done + part) / numbers_of_resolutions); },
+    r.finest = validation::settle(
+        reach, count, time, [&](double part) { progress((done + part) / numbers_of_resolutions); },
         [&](const Profile& profile) {
           const ProfileErrors all = errors_between(profile, regime.flow, 0, length);
           errors.depth.add(all.depth);
@@ -285,7 +250,6 @@ Settling settle(const Regime& regime, const Run& run, const Run::Progress& progr
     r.peer = by_cells(regime, gravity, count, time);
     errors.peer = errors_between(r.peer.profile, regime.flow, 0, length);
     r.errors.push_back(errors);
-    ++done;
   }
   return r;
 }
@@ -317,7 +281,8 @@ void draw(evidence::Exhibit& exhibit, const Settling& r, const Regime& regime) {
   auto& bottom = figure.panel({.x = "x [m]", .y = "discharge q [m²/s]"});
   const double q = flow.discharge();
   bottom.line("exact", std::vector<double>{0, 25}, std::vector<double>{q, q}, Role::exact);
-  bottom.points("particles", means.x, r.finest.discharge, Role::computed);
+  bottom.points("particles", means.x, each(r.finest.profile.means, [](const State& s) { return s.depth * s.velocity; }),
+                Role::computed);
   bottom.points("MUSCL-HLL", means_of(r.peer.profile).x, r.peer.discharge, Role::peer);
 }
 
