@@ -68,13 +68,12 @@ struct Channel {
       rectangle.bottom = std::make_shared<PolynomialBottom>(along_y ? Terms{{-1, 0, 0}, {tilt, 0, 1}, {bend, 0, 2}}
                                                                     : Terms{{-1, 0, 0}, {tilt, 1, 0}, {bend, 2, 0}});
     }
-    return plan::Flow(
-        plan::rectangular_lattice(rectangle),
-        [=, this](double x, double y) {
-          return along_y ? plan::Velocity{0, jet(y), 0} : plan::Velocity{jet(x), 0, 0};
-        },
-        {.stepping = stepping}, {.inertia = 1.0 / 3 + gamma, .gamma = gamma, .solver = linear::SolverMethod::banded},
-        {}, {}, false);
+    const auto velocity = [=, this](double x, double y) {
+      return along_y ? plan::Velocity{0, jet(y), 0} : plan::Velocity{jet(x), 0, 0};
+    };
+    return plan::Flow(plan::rectangular_lattice(rectangle), velocity, {.stepping = stepping},
+                      {.inertia = 1.0 / 3 + gamma, .gamma = gamma, .solver = linear::SolverMethod::banded}, {}, {},
+                      false);
   }
 };
 

@@ -21,22 +21,19 @@ const std::string source = "Frank, Discrete models of incompressible fluid (1994
 /// The wave of a run in a window from 30 behind its crest to 30 ahead, which follows it.
 Flow window_flow(const validation::PlanSolitonRun& run) {
   const exact::SerreSolitary wave(run.amplitude);
-  Lattice lattice = rectangular_lattice({.begin = -30,
-                                         .end = 30,
-                                         .north = run.spacing * static_cast<double>(run.rows),
-                                         .columns = static_cast<std::size_t>(std::lround(60 / run.spacing)),
-                                         .rows = run.rows,
-                                         .sides = {.west = plan_lattice::HeldSide{}}});
+  Rectangle window{.begin = -30, .end = 30, .columns = cells_of(60, run.spacing), .rows = run.rows};
+  window.north = run.spacing * static_cast<double>(run.rows);
+  window.sides.west = plan_lattice::HeldSide{};
+  Lattice lattice = rectangular_lattice(window);
   for (std::size_t k = 0; k < lattice.x.size(); ++k) {
     lattice.x[k] = wave.place_of(lattice.x[k]);
     lattice.z[k] = wave.elevation(lattice.x[k]);
   }
-  return Flow(std::move(lattice),
-              [&](double x, double) {
-                const double u = wave.depth_averaged_velocity(x);
-                return Velocity{u, 0, (u - wave.speed()) * wave.elevation_slope(x)};
-              },
-              run.scheme, {.tolerance = run.tolerance}, {},
+  const auto velocity = [&](double x, double) {
+    const double u = wave.depth_averaged_velocity(x);
+    return Velocity{u, 0, (u - wave.speed()) * wave.elevation_slope(x)};
+  };
+  return Flow(std::move(lattice), velocity, run.scheme, {.tolerance = run.tolerance}, {},
               {.reach = [c = wave.speed()](double time) { return 28 + c * time; }});
 }
 
@@ -45,11 +42,11 @@ Flow window_flow(const validation::PlanSolitonRun& run) {
 double inflow_error(double spacing) {
   const exact::SerreSolitary wave(0.2);
   const double start = -18;
-  const auto columns = static_cast<std::size_t>(std::lround(30 / spacing));
   const plan_lattice::DrivenSide west{[=](Place place, double time) {
     return Point{wave.depth_averaged_velocity(place.x - start - wave.speed() * time), 0};
   }};
-  Flow flow(rectangular_lattice({.end = 30, .north = spacing, .columns = columns, .rows = 1, .sides = {.west = west}}));
+  Flow flow(rectangular_lattice(
+      {.end = 30, .north = spacing, .columns = cells_of(30, spacing), .rows = 1, .sides = {.west = west}}));
   march(flow, (15 - start) / wave.speed(), 0.1 * spacing);
   Worst error;
   for (std::size_t k = 0; k < flow.x().size(); ++k) {

@@ -45,9 +45,11 @@ TEST_CASE("a patch of water with free ends conserves momentum, and energy with t
       "the centre of mass moves uniformly; the conservative stepping conserves energy and volumes too.");
   auto& panel = check.figure("patch", "The patch collapses", "Surface by the conservative stepping, t = 0 to 5.")
                     .panel({.x = "x", .y = "elevation"});
-  for (const Stepping stepping : {Stepping::one_step, Stepping::one_step_feedback, Stepping::conservative}) {
+  for (const auto& [name, stepping] : {std::pair{"one-step", Stepping::one_step},
+                                       {"feedback", Stepping::one_step_feedback},
+                                       {"conservative", Stepping::conservative}}) {
     const bool conservative = stepping == Stepping::conservative;
-    const std::string id = conservative ? "conservative" : stepping == Stepping::one_step ? "one-step" : "feedback";
+    const std::string id = name;
     Flow flow = patch(stepping);
     const double energy = flow.energy();
     const auto centre = [&] {

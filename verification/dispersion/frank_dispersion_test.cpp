@@ -19,12 +19,10 @@ using validation::StandingBox;
 constexpr double pi = std::numbers::pi;
 /// Elevations count from rest and are rounded relative to the amplitude, whatever it is; places to 1e-16 of the box.
 const Roundoff round_off{
-    .operations = 150,
-    .scale = 4.0 / 3,
-    .reason =
-        "widths of up to 25 cells are differences of positions, rounded to the part 2^-52 of the box: the error of "
-        "each is the number of cells, of their mean its root, as if there were 25 cells of two positions in each of "
-        "two runs; fifty roundings of the law and the fit; the extrapolation weighs a run by 4/3"};
+    150, 4.0 / 3,
+    "widths of up to 25 cells are differences of positions, rounded to the part 2^-52 of the box: the error of each is "
+    "the number of cells, of their mean its root, as if there were 25 cells of two positions in each of two runs; "
+    "fifty roundings of the law and the fit; the extrapolation weighs a run by 4/3"};
 const Bound fed_back{1e-11,
                      "volumes that are fed back bring the rounding of positions of size 1, 1e-16, into an amplitude of "
                      "1e-4, divided by phases of a step of about a tenth"};
@@ -107,11 +105,9 @@ TEST_CASE("small waves have the frequency of the discrete law for any parameters
   auto& figure = check.figure("deviation", "Deviation of measured frequencies from the law",
                               "60 sets of parameters; a deviation of zero is drawn as $10^{-17}$.");
   auto& panel = figure.panel({.x = "k s/pi", .y = "relative deviation", .log_y = true, .y_max = 1e-7});
-  const std::array<std::pair<Stepping, std::string>, 3> schemes = {
-      {{Stepping::one_step, "one-step"},
-       {Stepping::one_step_feedback, "one-step with volume feedback"},
-       {Stepping::conservative, "conservative"}}};
-  for (const auto& [stepping, label] : schemes) {
+  for (const auto& [stepping, label] : {std::pair{Stepping::one_step, "one-step"},
+                                        {Stepping::one_step_feedback, "one-step with volume feedback"},
+                                        {Stepping::conservative, "conservative"}}) {
     std::vector<double> resolution, deviation;
     Largest worst;
     // Fed back volumes bring their own rounding into the velocities, divided by the time step.

@@ -10,6 +10,7 @@
 #include "seiche/samples.hpp"
 #include "validation/instruments/plan/water_surface.hpp"
 #include "verification/check.hpp"
+#include "verification/conservation/differences.hpp"
 
 namespace seiche::verification::water_surface_2dh_test {
 
@@ -59,11 +60,10 @@ TEST_CASE("the water's surface of a wave over equal rectangles has its closed fo
               "gamma Q with the Q of dispersion_energy.hpp.",
               derived);
   const Shape shape{12, 9};
-  constexpr double h1 = 0.3;
-  constexpr double h2 = 0.2;
+  constexpr double h1 = 0.3, h2 = 0.2;
   Sheet sheet = turned(shape, h1, h2, 0.7);
   WaterSurface surface(shape, improved);
-  Largest deviation;
+  Worst deviation;
   for (std::size_t m = 0; m <= shape.columns; ++m) {
     for (std::size_t n = 0; n <= shape.rows; ++n) {
       const double half1 = 0.5 * pi * static_cast<double>(m) / static_cast<double>(shape.columns);
@@ -78,9 +78,7 @@ TEST_CASE("the water's surface of a wave over equal rectangles has its closed fo
         }
       }
       const auto found = surface.read(sheet.volumes, sheet.q);
-      for (std::size_t node = 0; node < shape.nodes(); ++node) {
-        deviation.add(std::abs(found[node] - factor * sheet.z(node)));
-      }
+      for (std::size_t node = 0; node < shape.nodes(); ++node) deviation.add(found[node] - factor * sheet.z(node));
     }
   }
   check.that("factor", "Every wave is higher by its factor, within the solver's accuracy times the root of 130 nodes.",
@@ -121,10 +119,10 @@ TEST_CASE("for waves along one axis the surface agrees with a channel", "[disper
   const auto channel = dispersive_shallow_water_1d::water_surface({.bottom = {}, .gamma = improved}, x, z, volume);
   WaterSurface surface(shape, improved);
   const auto found = surface.read(sheet.volumes, sheet.q);
-  Largest difference, moved;
+  Worst difference, moved;
   for (std::size_t node = 0; node < shape.nodes(); ++node) {
-    difference.add(std::abs(found[node] - channel[node % (shape.columns + 1)]));
-    moved.add(std::abs(found[node] - sheet.z(node)));
+    difference.add(found[node] - channel[node % (shape.columns + 1)]);
+    moved.add(found[node] - sheet.z(node));
   }
   check.that("same", "The surface of the 2DH model equals the surface of the 1D channel.",
              "largest difference over the largest elevation above the nodes",
@@ -168,11 +166,9 @@ TEST_CASE("the surface holds the nodes' water, whichever way the mesh lies", "[d
   }
   WaterSurface again(other.shape, improved);
   const auto same = again.read(other.volumes, other.q);
-  Largest difference;
-  for (std::size_t node = 0; node < sheet.shape.nodes(); ++node) difference.add(std::abs(same[node] - found[node]));
   check.from("rotation")
       .that("turned", "The surface of the turned grid is the same to round-off.", "largest difference",
-            {.value = difference.value(), .resolution = "14 x 11 cells"},
+            {.value = largest_difference(same, found), .resolution = "14 x 11 cells"},
             Roundoff{400, 1, "some twenty iterations of twenty operations"});
 }
 

@@ -42,18 +42,15 @@ Eigen::MatrixXd responses(const Mesh& mesh) {
 }
 
 struct Rank {
-  long cells = 0, rank = 0;
+  long rank = 0;
   Eigen::MatrixXd null_vectors;  ///< in columns
 };
 
 Rank rank_of(const Mesh& mesh) {
   const Eigen::BDCSVD<Eigen::MatrixXd> svd(responses(mesh), Eigen::ComputeThinV);
   const Eigen::VectorXd& values = svd.singularValues();
-  Rank rank{.cells = static_cast<long>(mesh.nodes())};
-  constexpr double threshold = 1e-10;
-  rank.rank = (values.array() > threshold * values[0]).count();
-  rank.null_vectors = svd.matrixV().rightCols(rank.cells - rank.rank);
-  return rank;
+  const long rank = (values.array() > 1e-10 * values[0]).count();
+  return {rank, svd.matrixV().rightCols(static_cast<long>(mesh.nodes()) - rank)};
 }
 
 TEST_CASE("regular arrangements of Dirichlet cells are singular, staggered and jittered ones are not", "[robustness]") {
@@ -62,8 +59,7 @@ TEST_CASE("regular arrangements of Dirichlet cells are singular, staggered and j
               "rectangular arrangement of 25 x 9 nodes in a tank has two pressure modes without force: chequerboards "
               "along one axis at least. Staggered rows and jittered meshes have none. Without stabilisation the model "
               "rejects the arrangement and names the remedy.");
-  Layer layer{.begin = 0, .end = 3, .columns = 24, .rows = 8};
-  layer.staggered = false;
+  Layer layer{.end = 3, .columns = 24, .rows = 8, .staggered = false};
   const Mesh rectangular = layer_mesh(layer);
   layer.staggered = true;
   const auto claim = [&](const std::string& text, const Rank& rank, long expected) {
@@ -79,8 +75,7 @@ TEST_CASE("regular arrangements of Dirichlet cells are singular, staggered and j
         rank_of(jittered(free_patch(8, 5, {0, 0}, {8, 5}, false), 0.2, 1)), 54);
   auto& figure = check.figure("null-vectors", "A pressure without forces",
                               "In the rectangular arrangement: the nodes where it is positive, and where negative.");
-  std::vector<double> x_of[2];
-  std::vector<double> y_of[2];
+  std::vector<double> x_of[2], y_of[2];
   const Eigen::VectorXd shown = lattice.null_vectors.col(0);
   for (std::size_t k = 0; k < rectangular.nodes(); ++k) {
     const double value = shown[static_cast<Eigen::Index>(k)];
@@ -95,8 +90,7 @@ TEST_CASE("regular arrangements of Dirichlet cells are singular, staggered and j
   Refusals refusals(check);
   refusals.refused({"singular configuration", "stabilisation = 0", "set stabilisation > 0"},
                    [&] { Flow flow(rectangular, {}, {.stabilisation = 0}); });
-  Layer large{.begin = 0, .end = 1, .columns = 60, .rows = 60};
-  large.staggered = false;
+  const Layer large{.end = 1, .columns = 60, .rows = 60, .staggered = false};
   refusals.refused({"singular configuration"}, [&] { Flow flow(layer_mesh(large), {}, {.stabilisation = 0}); });
   Flow cured(rectangular, {}, {.stabilisation = 0.1});
   cured.advance(0.05);
@@ -166,11 +160,10 @@ TEST_CASE("tangling Dirichlet cells stop with time, step and position", "[robust
   Check check("dirichlet_mesh_breakdown", "A jet tangles the outline of the Dirichlet mesh",
               "A free patch whose two ends are thrown at each other: nodes of the outline meet. No flip helps; the run "
               "stops and names the triangle, with the state of before.");
-  Flow flow(jittered(free_patch(16, 8, {-1, -0.5}, {1, 0.5}), 0.2, 1),
-            [](Point r) {
-              return Point{-std::sin(4 * r.x) * std::cosh(4 * r.y), std::cos(4 * r.x) * std::sinh(4 * r.y)};
-            },
-            {.gravity = 0, .stabilisation = 0.1});
+  const auto together = [](Point r) {
+    return Point{-std::sin(4 * r.x) * std::cosh(4 * r.y), std::cos(4 * r.x) * std::sinh(4 * r.y)};
+  };
+  Flow flow(jittered(free_patch(16, 8, {-1, -0.5}, {1, 0.5}), 0.2, 1), together, {.gravity = 0, .stabilisation = 0.1});
   holds_of_breakdown(check, "jet", run_until_breakdown(flow, 20, 0.02), "is inverted", -20, 20);
 }
 

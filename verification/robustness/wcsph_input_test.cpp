@@ -97,9 +97,7 @@ TEST_CASE("the motion of a paddle is evaluated by one thread, few times a step, 
   Scene scene = flume({.length = 1, .depth = 0.25, .stroke = 0.05, .frequency = 12, .spacing = 0.005}, settings);
   const int usual = omp_get_max_threads();
   omp_set_num_threads(2);
-  std::atomic<long> calls = 0;
-  std::atomic<long> in_parallel = 0;
-  std::atomic<long> before_zero = 0;
+  std::atomic<long> calls = 0, in_parallel = 0, before_zero = 0;
   double last = std::numeric_limits<double>::infinity();
   const auto watched = [&](const std::function<Pose(double)>& motion) {
     return [&, motion](double time) {
@@ -110,8 +108,10 @@ TEST_CASE("the motion of a paddle is evaluated by one thread, few times a step, 
       return motion(time);
     };
   };
-  for (Paddle& paddle : scene.paddles)
-    paddle = {paddle.hinge_x, paddle.hinge_z, watched(paddle.pose), watched(paddle.rate)};
+  for (Paddle& paddle : scene.paddles) {
+    paddle.pose = watched(paddle.pose);
+    paddle.rate = watched(paddle.rate);
+  }
   Flow flow(scene.particles, scene.spacing, settings, scene.paddles);
   long most = 0;
   for (int n = 0; n < 100; ++n) {
@@ -126,16 +126,14 @@ TEST_CASE("the motion of a paddle is evaluated by one thread, few times a step, 
   omp_set_num_threads(usual);
   CHECK(flow.particles().x == x);
   CHECK(flow.time() == time);
-  const auto claim = [&](const std::string& text, double value, double limit, const std::string& reason) {
-    check.holds(text, {value}, Bound{limit, reason});
-  };
-  claim("The paddle's functions are called outside of parallel loops.", static_cast<double>(in_parallel), 0,
-        "they are the user's, and may throw or share data");
-  claim("The paddle's functions are called at times from 0 on.", static_cast<double>(before_zero), 0,
-        "a measured motion begins at 0");
-  claim("The paddle's functions are called a few times a step.", static_cast<double>(most), 20,
-        "pose and rate at two instants for each of at most three evaluations, and at one for each of at most four "
-        "positions: 20");
+  check.holds("The paddle's functions are called outside of parallel loops.", {static_cast<double>(in_parallel)},
+              Bound{0, "they are the user's, and may throw or share data"});
+  check.holds("The paddle's functions are called at times from 0 on.", {static_cast<double>(before_zero)},
+              Bound{0, "a measured motion begins at 0"});
+  check.holds("The paddle's functions are called a few times a step.", {static_cast<double>(most)},
+              Bound{20,
+                    "pose and rate at two instants for each of at most three evaluations, and at one for each of at "
+                    "most four positions: 20"});
 }
 
 TEST_CASE("a computation that breaks down reports time and position, and retains the last valid state",

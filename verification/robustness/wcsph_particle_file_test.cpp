@@ -87,9 +87,8 @@ TEST_CASE("a particle file is read back through its XDMF", "[robustness]") {
   CHECK(series.attribute("CollectionType").value() == std::string("Temporal"));
   const std::size_t count = particles.size();
   std::vector<double> times;
-  double items = 0, mismatches = 0;
+  double mismatches = 0, wrong_values = 0;
   bool polyvertex = true;
-  double wrong_values = 0;
   for (const pugi::xml_node grid : series.children("Grid")) {
     times.push_back(grid.child("Time").attribute("Value").as_double());
     const pugi::xml_node topology = grid.child("Topology");
@@ -98,7 +97,6 @@ TEST_CASE("a particle file is read back through its XDMF", "[robustness]") {
     const auto visit = [&](const pugi::xml_node& parent) {
       const pugi::xml_node item = parent.child("DataItem");
       const Dataset set = opened(scratch.path(), item.text().get());
-      ++items;
       const bool integer = item.attribute("NumberType").value() == std::string("Int");
       if (dimensions(set) != item.attribute("Dimensions").value() || integer != set.integer) ++mismatches;
       return set;
