@@ -43,15 +43,15 @@ Markers markers_of(const Twin& twin, bool tip) {
 }
 
 Seen run(const Twin& twin, Channel base, bool beach, Stepping stepping) {
-  // A beach 1:4 whose foot is under the wave's front.
-  std::vector<double> x{-16, -4.125, 8.25}, z{-1, -1, 2};
-  if (twin.mirrored) {
-    std::reverse(x.begin(), x.end());
-    std::reverse(z.begin(), z.end());
-  }
-  for (double& place : x) place = twin.place(place);
-  for (double& level : z) level *= twin.length;
   if (beach) {
+    // 1:4, its foot is under the wave's front.
+    std::vector<double> x{-16, -4.125, 8.25}, z{-1, -1, 2};
+    for (double& place : x) place = twin.place(place);
+    for (double& level : z) level *= twin.length;
+    if (twin.mirrored) {
+      std::ranges::reverse(x);
+      std::ranges::reverse(z);
+    }
     base.bottom = std::make_shared<PiecewiseLinearBottom>(x, z);
     base.right = End::tip;
   } else {
@@ -136,8 +136,8 @@ Seen run(const Twin& twin, Where where, Settings settings, Stepping stepping) {
     const std::size_t i = k % (columns + 1), j = k / (columns + 1);
     Noise noise(k + 1);
     const bool inside = i > 0 && i < columns && j > 0 && j < rows;
-    const Point r{cell * (static_cast<double>(i) + (inside ? 0.1 * noise() : 0)),
-                  cell * (static_cast<double>(j) + (inside ? 0.1 * noise() : 0))};
+    const auto along = [&](std::size_t n) { return cell * (static_cast<double>(n) + (inside ? 0.1 * noise() : 0)); };
+    const Point r{along(i), along(j)};
     const Point there = twin.place(r);
     lattice.x.push_back(there.x);
     lattice.y.push_back(there.y);
@@ -185,13 +185,11 @@ Seen run(const Twin& twin, Where where, Stepping stepping) {
     for (const std::size_t k : nodes.node) {
       const std::size_t i = k % (columns + 1), j = k / (columns + 1);
       Noise noise(100 * l + k + 1);
-      const bool inside = i > 0 && i < columns && j > 0 && j < rows && l > 0;
-      const double jitter = inside ? 0.05 : 0;
-      const Point r{cell * (static_cast<double>(i) + jitter * noise()),
-                    cell * (static_cast<double>(j) + jitter * noise())};
+      const double jitter = i > 0 && i < columns && j > 0 && j < rows && l > 0 ? 0.05 : 0;
+      const auto along = [&](std::size_t n) { return cell * (static_cast<double>(n) + jitter * noise()); };
+      const Point r{along(i), along(j)};
       const Point there = twin.place(r);
-      const double top = 0.2 * hump(r.x, 1) * hump(r.y, 1);
-      const double height = static_cast<double>(l) / layers;
+      const double top = 0.2 * hump(r.x, 1) * hump(r.y, 1), height = static_cast<double>(l) / layers;
       const double bed = mesh.bottom ? mesh.bottom->slope(there.x, there.y).elevation : -twin.length;
       mesh.x.push_back(there.x);
       mesh.y.push_back(there.y);
@@ -200,9 +198,9 @@ Seen run(const Twin& twin, Where where, Stepping stepping) {
       velocities.push_back({v.x, v.y, twin.speed() * 0.1 * noise()});
     }
   }
-  Flow flow(
-      mesh, velocities, {.stepping = stepping},
-      {.gravity = where == Where::body ? 0.0 : twin.acceleration(1), .density = twin.density, .tolerance = 1e-13});
+  const double gravity = where == Where::body ? 0.0 : twin.acceleration(1);
+  Flow flow(mesh, velocities, {.stepping = stepping},
+            {.gravity = gravity, .density = twin.density, .tolerance = 1e-13});
   take_steps(flow, 0.03125 * twin.time);
   return seen_in_space(twin, nodes, flow);
 }

@@ -210,10 +210,8 @@ Seen run(const Twin& twin, Row row, const Ends& ends, Scheme scheme, int many) {
   Seen seen(n + 1);
   for (std::size_t k = 0; k <= n; ++k) {
     const std::size_t edge = twin.in_row(k, n + 1);
-    const bool is_particle = edge < n;
-    const std::size_t there_k = is_particle ? twin.in_row(edge, n) : 0;
-    seen.at(edge, twin, {now.edge[k], 0}, {is_particle ? now.velocity[there_k] : twin.velocity({0, 0}).x, 0},
-            flow.time());
+    const double velocity = edge < n ? now.velocity[twin.in_row(edge, n)] : twin.velocity({0, 0}).x;
+    seen.at(edge, twin, {now.edge[k], 0}, {velocity, 0}, flow.time());
   }
   return seen;
 }

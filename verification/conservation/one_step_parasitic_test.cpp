@@ -213,8 +213,8 @@ TEST_CASE("reprojection cures the parasitic mode of very long runs", "[conservat
       "one step of 23: that is the motion, $\\tau\\dot\\lambda$. With a sixteenth of the step the largest is a "
       "sixteenth.",
       source);
-  const double tau = 0.01;
-  const long steps = 1000000;
+  constexpr double tau = 0.01;
+  constexpr long steps = 1000000;
   const LongRun wild = free_chain_run(0, steps, tau);
   const LongRun cured = free_chain_run(1000, steps, tau);
   check.at("tau = 0.01, 1e6 steps");

@@ -26,9 +26,8 @@ Piston piston(double velocity) {
 
 template <class Exact>
 ProfileError reconstructed(const ParticleFlow& flow, const Exact& exact) {
-  const double t = flow.time();
-  return reconstruction_error(
-      flow.measured_profile(), [&](double x) { return exact.at(x, t); }, exact.breakpoints(t));
+  const auto now = [&](double x) { return exact.at(x, flow.time()); };
+  return reconstruction_error(flow.measured_profile(), now, exact.breakpoints(flow.time()));
 }
 
 // About a hundred rounded operations per particle and step reach each edge; velocities are differences of celerities.

@@ -45,10 +45,10 @@ TEST_CASE("masses exchanged between moving bodies leave mass, momentum and kinet
   for (std::size_t round = 0; round < rounds; ++round) {
     std::vector<Exchange> exchanges;
     for (int e = 0; e < 100; ++e) {
-      const auto i = static_cast<int>(n * 0.5 * (noise() + 1)) % static_cast<int>(n);
-      const auto j = static_cast<int>(n * 0.5 * (noise() + 1)) % static_cast<int>(n);
-      const double least = std::min(mass[static_cast<std::size_t>(i)], mass[static_cast<std::size_t>(j)]);
-      if (i != j) exchanges.push_back({i, j, 0.1 * least * noise()});
+      const auto i = static_cast<std::size_t>(n * 0.5 * (noise() + 1)) % n;
+      const auto j = static_cast<std::size_t>(n * 0.5 * (noise() + 1)) % n;
+      const double least = std::min(mass[i], mass[j]);
+      if (i != j) exchanges.push_back({static_cast<int>(i), static_cast<int>(j), 0.1 * least * noise()});
     }
     convection.begin(mass, exchanges, {zeros, zeros});
     const auto respond = [&](std::span<double> momenta) {

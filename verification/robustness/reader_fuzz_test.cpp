@@ -154,9 +154,9 @@ void damage_files(double share) {
   }
 
   const auto path = scratch.path() / "damaged.h5";
-  const Tally hdf5 = fuzz_file(path, {hdf5_bytes(path)}, inputs(2'000), 0x94D049BB133111EBU,
-                               [](const std::filesystem::path& damaged) { io::read_hdf5(damaged, {}, 1); });
-  claim(check, "hdf5", hdf5);
+  claim(check, "hdf5",
+        fuzz_file(path, {hdf5_bytes(path)}, inputs(2'000), 0x94D049BB133111EBU,
+                  [](const std::filesystem::path& damaged) { io::read_hdf5(damaged, {}, 1); }));
 }
 
 TEST_CASE("readers survive damaged files: they read or reject in one line", "[robustness]") {

@@ -28,10 +28,11 @@ void refuse(const Particles& particles, const Settings& settings, const std::str
   CHECK_THROWS_AS(Flow(particles, spacing, settings), std::invalid_argument);
 }
 
-Settings with(const std::function<void(Settings&)>& change) {
-  Settings settings = good;
-  change(settings);
-  return settings;
+/// Something good, changed.
+template <class Good, class Change>
+Good with(Good it, const Change& change) {
+  change(it);
+  return it;
 }
 
 TEST_CASE("settings out of range are rejected by name", "[robustness]") {
@@ -42,7 +43,7 @@ TEST_CASE("settings out of range are rejected by name", "[robustness]") {
   Check check("wcsph_bad_settings", "Bad settings of SPH", "Each number outside of its range.");
   Refusals refusals(check);
   const auto viscous = [&](const auto& viscosity) {
-    Flow(water, spacing, with([&](Settings& s) { s.viscosity = viscosity; }));
+    Flow(water, spacing, with(good, [&](Settings& s) { s.viscosity = viscosity; }));
   };
   refusals.outside_ranges(
       "Settings",
@@ -54,20 +55,16 @@ TEST_CASE("settings out of range are rejected by name", "[robustness]") {
                           "kinematic_viscosity non-negative and finite; smagorinsky non-negative and finite; isotropic "
                           "non-negative and finite",
                           LaminarSps{}, viscous);
-  refuse(water, with([](Settings& s) { s.filter_every = -1; }), "filter");
-  refuse(water, with([](Settings& s) { s.lanes = 1; }), "lanes = 1");
+  refuse(water, with(good, [](Settings& s) { s.filter_every = -1; }), "filter");
+  refuse(water, with(good, [](Settings& s) { s.lanes = 1; }), "lanes = 1");
   // Three supports with their skin: 3 x 2 x 0.13 x 1.15 m.
-  refuse(lattice(8, 8, spacing, 1000), with([](Settings& s) { s.period = {0.8, 0.8}; }), "period");
+  refuse(lattice(8, 8, spacing, 1000), with(good, [](Settings& s) { s.period = {0.8, 0.8}; }), "period");
   CHECK_THROWS_WITH(kernel_named("gaussian"), Catch::Contains("cubic_spline") && Catch::Contains("wendland_c2"));
 }
 
 TEST_CASE("invalid particles are rejected", "[robustness]") {
   const Particles water = lattice(12, 12, spacing, 1000);
-  const auto changed = [&](const std::function<void(Particles&)>& change) {
-    Particles particles = water;
-    change(particles);
-    return particles;
-  };
+  const auto changed = [&](const auto& change) { return with(water, change); };
   const double nan = std::numeric_limits<double>::quiet_NaN();
   refuse(changed([&](Particles& p) { p.x[17] = nan; }), good, "17");
   refuse(changed([&](Particles& p) { p.w[17] = nan; }), good, "17");
