@@ -231,8 +231,7 @@ struct Beach {
 /// Fluid Mech. 185 (1987) 523), between a wall and the shore at x = 0.
 Flow beach_flow(const Beach& beach, const Scheme& scheme) {
   const double front = std::acosh(std::sqrt(20.0)) / std::sqrt(0.75 * beach.amplitude);
-  const double crest = -beach.cotangent - front;
-  const double wall = crest - front - 5;
+  const double crest = -beach.cotangent - front, wall = crest - front - 5;
   const Channel channel{
       .bottom = std::make_shared<PiecewiseLinearBottom>(std::vector{wall - 10, -beach.cotangent, 10 * beach.cotangent},
                                                         std::vector{-1.0, -1.0, 10.0}),

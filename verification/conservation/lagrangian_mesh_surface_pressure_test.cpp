@@ -79,8 +79,7 @@ struct DrivenMode {
     std::vector<double> all;
     const double w = omega * omega;
     for (long n = 0; n < steps; ++n) {
-      const double aim = target((static_cast<double>(n) + 0.5) * tau);
-      const double free = a + 0.5 * tau * v;
+      const double aim = target((static_cast<double>(n) + 0.5) * tau), free = a + 0.5 * tau * v;
       // The acceleration is that of the middle of the step: free drift, or the mean of both ends.
       const double middle =
           stepping == Stepping::one_step ? free : (free + 0.25 * tau * tau * w * aim) / (1 + 0.25 * tau * tau * w);

@@ -95,8 +95,7 @@ TEST_CASE("a rezoned mesh conserves water and records its energy loss", "[conser
               "A hump of water, a/h = 0.5, runs against a wall; 40 x 8 cells, conservative steps. And still water.",
               source);
   Flow flow = hump(mechanics::Stepping::conservative);
-  const double water = compensated_sum(flow.model().first_volumes());
-  const double begin = flow.energy();
+  const double water = compensated_sum(flow.model().first_volumes()), begin = flow.energy();
   Worst spilt, drift;
   march(flow, end, tau, [&] {
     const Mesh& mesh = flow.model().mesh();

@@ -30,8 +30,7 @@ Markers markers_of(const Twin& twin, bool tip) {
   constexpr std::size_t n = 49;
   const std::size_t count = tip ? n : n - 1;
   for (std::size_t k = 0; k < count; ++k) {
-    const double x = 0.25 * static_cast<double>(twin.in_row(k, count)) - 12;
-    const double h = 0.5 * hump(x, -6.5);
+    const double x = 0.25 * static_cast<double>(twin.in_row(k, count)) - 12, h = 0.5 * hump(x, -6.5);
     const Point v = twin.velocity({h, -2 * h * (x + 6.5) * h});
     const Point there = twin.place({x, x == 0 ? 0 : h});
     m.x.push_back(there.x);
@@ -221,8 +220,7 @@ Seen run(const Twin& twin, bool patch, Settings settings, Stepping stepping) {
   }
   std::vector<Point> velocities;
   for (const std::size_t k : nodes.node) {
-    const double x = 0.5 * static_cast<double>(k % (columns + 1));
-    const double top = patch ? 0 : 0.2 * hump(x, 1);
+    const double x = 0.5 * static_cast<double>(k % (columns + 1)), top = patch ? 0 : 0.2 * hump(x, 1);
     const Point r{x, -1 + (1 + top) * 0.25 * static_cast<double>(k / (columns + 1))};
     const Point there = twin.place(r);
     m.x.push_back(there.x);

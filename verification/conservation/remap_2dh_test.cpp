@@ -315,8 +315,7 @@ TEST_CASE("a rezoned flow around an island conserves water and records the energ
   const validation::ConicalIsland island(
       {.height = 0.045, .spacing = 1, .scheme = {.stepping = mechanics::Stepping::conservative}, .drag = {}});
   RezonedFlow flow = island.rezoned_flow();
-  const double water = compensated_sum(flow.flow().model().first_volumes());
-  const double begin = flow.energy();
+  const double water = compensated_sum(flow.flow().model().first_volumes()), begin = flow.energy();
   Worst spilt, drift;
   march(flow, island.passage(), island.step(), [&] {
     spilt.add(compensated_sum(flow.flow().model().first_volumes()) / water - 1, flow.time());

@@ -15,8 +15,7 @@ namespace seiche::verification::dispersion_2dh_test {
 
 using exact::PlanDispersion;
 
-constexpr double pi = std::numbers::pi;
-constexpr double diagonal = pi / 4;
+constexpr double pi = std::numbers::pi, diagonal = pi / 4;
 const std::string source =
     "Frank, Discrete models of incompressible fluid (1994), ch. 3 and 4.2; closed form of its cells";
 PlanDispersion square(double spacing) {

@@ -20,8 +20,7 @@ namespace seiche::verification::dispersive_water_surface_test {
 
 using namespace dispersive_shallow_water_1d;
 
-constexpr double pi = std::numbers::pi;
-constexpr double improved = 1.0 / 15;
+constexpr double pi = std::numbers::pi, improved = 1.0 / 15;
 const std::string derived = "derived in water_surface.hpp";
 
 Channel improved_channel(double period = 0) {
@@ -97,8 +96,7 @@ TEST_CASE("the water's surface is second-order accurate over an uneven bottom", 
              return a + 0.3 * std::sin(a + 1);
            };
            for (int i = 0; i < n; ++i) {
-             const double at = place(i);
-             const double depth = 1 + 0.3 * std::cos(at);
+             const double at = place(i), depth = 1 + 0.3 * std::cos(at);
              const double operated = 2 * depth * -0.3 * std::sin(at) * std::cos(at) - depth * depth * std::sin(at);
              x.push_back(at);
              y.push_back(std::sin(at) - improved / 4 * operated);
@@ -143,8 +141,7 @@ TEST_CASE("second harmonics of the water's surface agree with Stokes", "[dispers
   const double speed = std::sqrt((1 + channel.gamma) / (1 + channel.alpha));
   const auto eta = [&](double x) { return amplitude * (std::cos(x) + second * std::cos(2 * x)); };
   const auto motion = [&](double x) {
-    const double slope = -amplitude * (std::sin(x) + 2 * second * std::sin(2 * x));
-    const double depth = 1 + eta(x);
+    const double slope = -amplitude * (std::sin(x) + 2 * second * std::sin(2 * x)), depth = 1 + eta(x);
     return SurfaceMotion{eta(x), speed * eta(x) / depth, -speed * slope / depth};
   };
   const auto excess = [&](double x) { return amplitude * (std::sin(x) + second / 2 * std::sin(2 * x)); };
@@ -179,8 +176,7 @@ TEST_CASE("the water's surface shoals at constant Airy energy flux", "[dispersio
     const double nu = omega * omega * depth;
     const auto [low, high] = boost::math::tools::bisect([&](double kh) { return kh * std::tanh(kh) - nu; }, 1e-3, 10.0,
                                                         boost::math::tools::eps_tolerance<double>(40));
-    const double airy = 0.5 * (low + high);
-    const double kh = model_wavenumber(nu), s = kh * kh;
+    const double airy = 0.5 * (low + high), kh = model_wavenumber(nu), s = kh * kh;
     // c_g over depth: d omega/dk with omega^2 = s (1 + gamma s)/(1 + alpha s)/depth
     const double slope =
         ((1 + 2 * improved * s) * (1 + 0.4 * s) - 0.4 * s * (1 + improved * s)) / std::pow(1 + 0.4 * s, 2);
@@ -215,8 +211,7 @@ TEST_CASE("the water's surface shoals at constant Airy energy flux", "[dispersio
     return sums[i] + (at - static_cast<double>(i)) * (sums[i + 1] - sums[i]);
   };
   Flow flow(channel, moved_markers(channel, equal_labels(channel, -259, 140, 7980), motion, excess, 140));
-  const double period = 2 * pi / omega;
-  const double begin = 36 * period;
+  const double period = 2 * pi / omega, begin = 36 * period;
   march(flow, begin, stable_steps(flow, 0.025));
   const std::vector<double> places{-8, -7, -6, -5, 42, 43, 44, 45};
   std::vector<std::vector<double>> records(places.size());

@@ -90,8 +90,7 @@ TEST_CASE("statistics of waves have their closed forms", "[dispersion]") {
       samples.push_back(0.2 + a * std::cos(t) + b * std::cos(2 * t + phase));
     }
     const auto found = wave_statistics(samples);
-    const double s = std::sqrt(0.5 * (a * a + b * b));
-    const double third = 0.75 * a * a * b / std::pow(s, 3);
+    const double s = std::sqrt(0.5 * (a * a + b * b)), third = 0.75 * a * a * b / std::pow(s, 3);
     deviation.add(found.deviation - s);
     skewness.add(found.skewness - third * std::cos(phase));
     // mean of (a sin t + b sin(2 t + p))^3 = -3 a^2 b/4 sin p

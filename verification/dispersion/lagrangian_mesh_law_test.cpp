@@ -40,8 +40,7 @@ TEST_CASE("the law of the Lagrangian mesh has the known limits", "[dispersion]")
         "The law tends to Airy's with the square of the cells' size.",
         {2, 0.05, "expansion of the law in even powers; the next is of the size (k h)^2, at most 0.004, beside it"}}},
       [](double h) {
-        const double k = 2 * pi / 3;
-        const double airy = exact::AiryDispersion(1, 1).frequency(k);
+        const double k = 2 * pi / 3, airy = exact::AiryDispersion(1, 1).frequency(k);
         return std::abs(LagrangianMeshDispersion(1, 1, h, cells_of(1, h)).frequency(k) / airy - 1);
       });
   CHECK_THROWS_AS(LagrangianMeshDispersion(1, 1, 0.3, 0), std::invalid_argument);

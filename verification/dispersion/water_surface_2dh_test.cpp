@@ -17,8 +17,7 @@ namespace seiche::verification::water_surface_2dh_test {
 using plan_lattice::Shape;
 using validation::WaterSurface;
 
-constexpr double pi = std::numbers::pi;
-constexpr double improved = 1.0 / 15;
+constexpr double pi = std::numbers::pi, improved = 1.0 / 15;
 constexpr double accuracy = 1e-8;  // of the solution, relative to the difference from z
 const std::string derived = "derived in validation/instruments/plan/water_surface.hpp";
 
@@ -43,8 +42,7 @@ Sheet turned(Shape shape, double h1, double h2, double angle) {
   Sheet sheet(shape);
   for (std::size_t j = 0; j <= shape.rows; ++j) {
     for (std::size_t i = 0; i <= shape.columns; ++i) {
-      const double along = h1 * static_cast<double>(i);
-      const double across = h2 * static_cast<double>(j);
+      const double along = h1 * static_cast<double>(i), across = h2 * static_cast<double>(j);
       sheet.x(shape.node(i, j)) = along * std::cos(angle) - across * std::sin(angle);
       sheet.y(shape.node(i, j)) = along * std::sin(angle) + across * std::cos(angle);
     }

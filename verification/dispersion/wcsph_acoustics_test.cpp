@@ -68,8 +68,7 @@ Harmonic harmonic_of(const Wave& wave, double time) {
 
 /// A standing wave u = 1e-4 sin(kx) on a lattice without viscosity; steps of one length.
 Outcome run(const Wave& wave, double step, long steps) {
-  const double dx = 1 / static_cast<double>(wave.cells);
-  const double k = wave.wavenumber();
+  const double dx = 1 / static_cast<double>(wave.cells), k = wave.wavenumber();
   Particles particles = lattice(wave.cells, rows_of_lattice, dx, 1);
   for (std::size_t a = 0; a < particles.size(); ++a) particles.u[a] = amplitude * std::sin(k * particles.x[a]);
   const std::vector<double> place = particles.x;
@@ -128,8 +127,7 @@ TEST_CASE("sound has the dispersion of the lattice and grows by the law of the m
     const double step = wave.acoustic_step();
     const long steps = std::lround(0.5 / step);
     const Outcome found = run(wave, step, steps);
-    const double angle = wave.frequency() * step;
-    const double expected = wave.dispersion() * turn(angle) / angle;
+    const double angle = wave.frequency() * step, expected = wave.dispersion() * turn(angle) / angle;
     const double growth = std::pow(amplification(angle), static_cast<double>(steps)) - 1;
     const Harmonic harmonic = harmonic_of(wave, step * static_cast<double>(steps));
     const double rounding = 4 * 0x1p-52 *

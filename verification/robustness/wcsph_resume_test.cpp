@@ -70,8 +70,7 @@ bool same(const Flow& a, const Flow& b) {
 }
 
 TEST_CASE("a flow resumed from a saved state gives the same bytes", "[robustness]") {
-  constexpr int steps = 300;
-  constexpr int apart = 37;
+  constexpr int steps = 300, apart = 37;
   Check check(
       "wcsph_resume", "A run that was interrupted",
       fmt::format(
