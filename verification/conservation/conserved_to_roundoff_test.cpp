@@ -61,11 +61,10 @@ TEST_CASE("sloshing water on a Lagrangian mesh conserves energy and areas with t
 /// Rounding of the momenta of all nodes. The forces of the cells change them by small parts, whose own rounding does
 /// not count.
 Roundoff of_nodes(const HexahedralProblem& problem, double largest_arm) {
+  const auto& mass = problem.model.nodes().mass();
   double squares = 0;
-  const std::size_t n = problem.model.nodes().size();
-  for (std::size_t i = 0; i < 3 * n; ++i) {
-    squares += std::pow(problem.model.nodes().mass()[i % n] * problem.start.u[i], 2);
-  }
+  for (std::size_t i = 0; i < problem.start.u.size(); ++i)
+    squares += std::pow(mass[i % mass.size()] * problem.start.u[i], 2);
   return {2.0 * 100, std::sqrt(squares) * largest_arm,
           "each velocity is rounded twice in each of 100 steps, at their middle and at their end; the roundings of all "
           "nodes' momenta (times their largest distance from the axis) add up as squares"};
@@ -124,12 +123,10 @@ TEST_CASE("hexahedra conserve momenta without walls, energy and volumes with the
 
 /// Rounding of the momenta of all nodes, each of which changes by the forces of four cells in a step.
 Roundoff of_columns(const PlanProblem& problem, double arm) {
-  Largest largest;
   const std::size_t n = problem.model.nodes();
-  for (std::size_t i = 0; i < 3 * n; ++i) {
-    largest.add(problem.model.node_masses()[i % n] * std::abs(problem.start.u[i]));
-  }
-  return {32.0 * 100 * static_cast<double>(n), largest.value() * arm,
+  const double largest =
+      worst_of(3 * n, [&](std::size_t i) { return problem.model.node_masses()[i % n] * problem.start.u[i]; });
+  return {32.0 * 100 * static_cast<double>(n), largest * arm,
           "a node's momentum (times its largest distance from the axis) is rounded some 32 times in each of 100 steps"};
 }
 

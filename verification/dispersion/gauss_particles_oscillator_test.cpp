@@ -44,10 +44,7 @@ class Slosh {
 
   /// Amplitudes of the velocity over that of the beginning, after each of so many steps.
   std::vector<double> amplitudes(double tau, int steps) {
-    State state = model_.state([](Point r) {
-      const Point v = mode(r);
-      return Point{amplitude * v.x, amplitude * v.y};
-    });
+    State state = model_.state([](Point r) { return amplitude * mode(r); });
     OneStep<Model> step(model_);
     std::vector<double> result;
     const Particles& at = model_.particles();
