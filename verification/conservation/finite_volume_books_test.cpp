@@ -11,8 +11,7 @@
 
 namespace seiche::verification::finite_volume_books_test {
 
-using shallow_water_finite_volume::End;
-using shallow_water_finite_volume::FiniteVolumeFlow;
+using shallow_water_finite_volume::End, shallow_water_finite_volume::FiniteVolumeFlow;
 using shallow_water_finite_volume::Scheme;
 
 FiniteVolumeFlow dam_break(Scheme scheme, std::size_t cells, End left, End right) {

@@ -111,10 +111,7 @@ std::shared_ptr<const PlanBottom> bottom_of(const Twin& twin, bool shore) {
 
 namespace plan {
 using namespace dispersive_shallow_water_2d;
-using plan_lattice::FreeSide;
-using plan_lattice::ShoreSide;
-using plan_lattice::Side;
-using plan_lattice::WallSide;
+using plan_lattice::FreeSide, plan_lattice::ShoreSide, plan_lattice::Side, plan_lattice::WallSide;
 
 enum class Where { box, free, slope, shore };
 
@@ -162,9 +159,7 @@ Seen run(const Twin& twin, Where where, Settings settings, Stepping stepping) {
 
 namespace hexahedra {
 using namespace lagrangian_mesh_3d;
-using plan_lattice::FreeSide;
-using plan_lattice::Side;
-using plan_lattice::WallSide;
+using plan_lattice::FreeSide, plan_lattice::Side, plan_lattice::WallSide;
 
 enum class Where { body, box, slope };
 

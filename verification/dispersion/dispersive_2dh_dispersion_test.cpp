@@ -14,8 +14,7 @@
 
 namespace seiche::verification::dispersive_2dh_dispersion_test {
 
-using validation::PlanMode;
-using validation::PlanTank;
+using validation::PlanMode, validation::PlanTank;
 
 constexpr double pi = std::numbers::pi;
 

@@ -14,10 +14,7 @@
 
 namespace seiche::verification::hexahedral_dispersion_test {
 
-using exact::AiryDispersion;
-using exact::HexahedralDispersion;
-using exact::PlanDispersion;
-using exact::SurfaceInertia;
+using exact::AiryDispersion, exact::HexahedralDispersion, exact::PlanDispersion, exact::SurfaceInertia;
 
 constexpr double pi = std::numbers::pi;
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), 4.1; closed form of its layers";

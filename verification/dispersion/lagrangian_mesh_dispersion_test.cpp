@@ -16,8 +16,7 @@
 namespace seiche::verification::lagrangian_mesh_dispersion_test {
 
 using namespace lagrangian_mesh_2d;
-using exact::LagrangianMeshDispersion;
-using exact::SurfaceInertia;
+using exact::LagrangianMeshDispersion, exact::SurfaceInertia;
 
 constexpr double pi = std::numbers::pi;
 

@@ -11,8 +11,7 @@
 
 namespace seiche::verification::lagrangian_mesh_law_test {
 
-using exact::LagrangianMeshDispersion;
-using exact::SurfaceInertia;
+using exact::LagrangianMeshDispersion, exact::SurfaceInertia;
 
 constexpr double pi = std::numbers::pi;
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), ch. 2; closed form of its rows";

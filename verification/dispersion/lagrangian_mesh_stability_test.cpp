@@ -15,8 +15,7 @@
 namespace seiche::verification::lagrangian_mesh_stability_test {
 
 using namespace lagrangian_mesh_2d;
-using mechanics::State;
-using validation::LinearModes;
+using mechanics::State, validation::LinearModes;
 
 struct Tank {
   std::string text;

@@ -12,9 +12,7 @@
 
 namespace seiche::verification::lattice_energies_test {
 
-using exact::HexahedralDispersion;
-using exact::PlanDispersion;
-using exact::SurfaceInertia;
+using exact::HexahedralDispersion, exact::PlanDispersion, exact::SurfaceInertia;
 
 constexpr double pi = std::numbers::pi;
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), 4.1, 4.2; closed forms of the cells";

@@ -14,8 +14,7 @@
 
 namespace seiche::verification::water_surface_2dh_test {
 
-using plan_lattice::Shape;
-using validation::WaterSurface;
+using plan_lattice::Shape, validation::WaterSurface;
 
 constexpr double pi = std::numbers::pi, improved = 1.0 / 15;
 constexpr double accuracy = 1e-8;  // of the solution, relative to the difference from z

@@ -14,8 +14,7 @@
 namespace seiche::verification::free_lagrangian_rest_test {
 
 using namespace free_lagrangian;
-using variable_mass::Control;
-using variable_mass::ControlKind;
+using variable_mass::Control, variable_mass::ControlKind;
 
 /// 200 steps. With the surface at y = 0 every force is exactly zero.
 template <class Flow>

@@ -7,8 +7,7 @@
 
 namespace seiche::verification::finite_volume_test {
 
-using shallow_water_finite_volume::End;
-using shallow_water_finite_volume::FiniteVolumeFlow;
+using shallow_water_finite_volume::End, shallow_water_finite_volume::FiniteVolumeFlow;
 using shallow_water_finite_volume::Scheme;
 
 TEST_CASE("finite-volume flow rejects bad input", "[robustness]") {
