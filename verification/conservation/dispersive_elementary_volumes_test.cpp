@@ -84,9 +84,9 @@ void draw(Check& check, const Shore& shore, const std::vector<double>& x, const 
       {.x = "x/H", .y = "y/H", .equal_aspect = true, .x_min = -7.2, .x_max = 0.8, .y_min = -1.25, .y_max = 0.6});
   panel.fill("water", shore.markers.x, shore.markers.y, Role::water);
   panel.fill("bottom", shore.knots, shore.levels, Role::bed);
-  for (const double x : shore.boundaries()) {
-    panel.line("elementary volumes", std::vector{x, x},
-               std::vector{shore.channel.bottom->elevation(x), shore.surface(x)}, Role::peer);
+  for (const double end : shore.boundaries()) {
+    panel.line("elementary volumes", std::vector{end, end},
+               std::vector{shore.channel.bottom->elevation(end), shore.surface(end)}, Role::peer);
   }
   panel.line("surface", shore.markers.x, shore.markers.y, Role::exact);
   panel.points("markers", shore.markers.x, shore.markers.y, Role::computed);
