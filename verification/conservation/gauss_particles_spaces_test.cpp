@@ -48,6 +48,11 @@ struct Problem {
   State state;
 };
 
+void take_steps(Model& model, State& state, long count, double length) {
+  OneStep<Model> step(model);
+  for (long k = 0; k < count; ++k) step.step(state, length);
+}
+
 Point turning(Point r) {
   return {-r.y, r.x};
 }
@@ -79,12 +84,11 @@ TEST_CASE("a momentum of Gauss-principle particles is conserved if and only if t
   const auto reflected = [&](const std::string& text, std::size_t field, const std::function<Point(Point)>& velocity,
                              const std::string& entry) {
     Problem problem(without(field), velocity);
-    OneStep<Model> step(problem.model);
     // The disc is about the origin where the projection is taken.
     for (std::size_t i = 0; i < problem.state.q.size(); ++i) problem.state.q[i] -= tau / 2 * problem.state.u[i];
     InvariantsWatch watch(problem.model, problem.state);
     const double first = watch.ledger().entry(entry).initial;
-    step.step(problem.state, tau);
+    take_steps(problem.model, problem.state, 1, tau);
     watch.record(problem.state);
     check.holds(text, {watch.ledger().entry(entry).value / first}, Roundoff{48, 1, "a sum over 48 particles", -1});
   };
@@ -138,9 +142,8 @@ TEST_CASE("spray of Gauss-principle particles moves ballistically", "[conservati
   particles.add(4.075, 4, 0);
   Model model(particles, std::make_unique<SplineSpace>(LatticePlan{.cell_x = 0.3}), {.gravity = 1, .penalty = 0});
   State state = model.state([](Point r) { return r.x > 3 ? Point{0.5, 1} : Point{0, 0}; });
-  OneStep<Model> step(model);
   constexpr int count = 64;
-  for (int k = 0; k < count; ++k) step.step(state, 1.0 / count);
+  take_steps(model, state, count, 1.0 / count);
   Worst spray, fallen;
   for (std::size_t k = 0; k < model.size(); ++k) {
     const bool flies = k >= drop;
@@ -170,8 +173,7 @@ TEST_CASE("thin water at a wall of Gauss-principle particles slides along it", "
       std::make_unique<SplineSpace>(LatticePlan{.cell_x = 0.25, .left_wall = -4, .right_wall = 4, .bottom = true}),
       {.gravity = 1, .penalty = 0});
   State state = model.state([](Point r) { return std::abs(r.x) > 3 ? Point{r.x / 4, 1} : Point{0, 0}; });
-  OneStep<Model> step(model);
-  step.step(state, 0.1);
+  take_steps(model, state, 1, 0.1);
   for (std::size_t k = drop; k < particles.size(); k += 2) {
     CHECK(state.q[k + 1] < 4);  // in free flight the outer ones would have left
     CHECK(state.q[k + 1] == Approx(-state.q[k]));
@@ -191,8 +193,7 @@ TEST_CASE("markers among Gauss-principle particles are never reflected", "[conse
   State state = model.state([&](Point) { return water; });
   state.u[marker] = own.x;
   state.u[count + marker] = own.y;
-  OneStep<Model> step(model);
-  step.step(state, tau);
+  take_steps(model, state, 1, tau);
   check.that("velocity", "The velocity of the marker equals the water velocity to round-off.",
              "distance of the velocities", {std::hypot(state.u[marker] - water.x, state.u[count + marker] - water.y)},
              Roundoff{100, 1, "a projection of 48 particles onto five fields"});
