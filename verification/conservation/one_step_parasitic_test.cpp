@@ -122,7 +122,6 @@ LongRun free_chain_run(long every, long steps, double tau) {
     Start(chain).project_to_smooth(state, tau);
   }
   OneStep<RigidChain> scheme(chain);
-  Start<RigidChain> start(chain);
   Instant instant(chain);
   InvariantsWatch watch(chain, state);
   LongRun run;
@@ -144,7 +143,7 @@ LongRun free_chain_run(long every, long steps, double tau) {
       run.parasite.push_back(instant.parasite(state, tau));
       run.scales.include(scales_of(chain, state));
     }
-    if (cured && n % every == 0) start.project_to_smooth(state, tau);
+    if (cured && n % every == 0) Start(chain).project_to_smooth(state, tau);
     if (n % 1000 == 0) watch.record(state);
   }
   run.momentum = watch.ledger().largest_defect("momentum");
