@@ -92,69 +92,56 @@ TEST_CASE("conservation errors of the one-step scheme are second-order in the st
                      "a symmetric scheme errs in even powers of the step: the next term is (2 omega tau)^2 = 0.01 of "
                      "the first at the largest step, squares of a wave of omega = 0.5 oscillating twice as fast"}});
   }
-  rows.push_back({"Hexahedra in a box", {"energy", "volumes"}, {0.4, 0.2, 0.1, 0.05}, [](double tau) {
-                    HexahedralProblem hump(hump_in_box(), {}, {.tolerance = 1e-10});
-                    return defects(hump, tau, 20, hump.model.potential_energy(hump.start.q));
-                  }});
-  rows.push_back({"Hexahedra over an uneven bottom",
-                  {"energy", "volumes", "distance of nodes from the bottom"},
-                  {0.2, 0.1, 0.05, 0.025},
-                  [](double tau) {
-                    HexahedralProblem hump(hump_over_bottom(), {}, {.tolerance = 1e-15});
-                    OffTheBottom off(hump);
-                    const auto ledger = watched_run(hump, {}, tau, std::lround(6 / tau), off);
-                    return Errors{ledger.largest_defect("energy") / ledger.entry("energy").initial,
-                                  ledger.largest_defect("volume_worst") / hump.cell(), off.bottom.value()};
-                  }});
+  const auto in_box = [](double tau) {
+    HexahedralProblem hump(hump_in_box(), {}, {.tolerance = 1e-10});
+    return defects(hump, tau, 20, hump.model.potential_energy(hump.start.q));
+  };
+  rows.push_back({"Hexahedra in a box", {"energy", "volumes"}, {0.4, 0.2, 0.1, 0.05}, in_box});
+  const auto over_bottom = [](double tau) {
+    HexahedralProblem hump(hump_over_bottom(), {}, {.tolerance = 1e-15});
+    OffTheBottom off(hump);
+    const auto ledger = watched_run(hump, {}, tau, std::lround(6 / tau), off);
+    return Errors{ledger.largest_defect("energy") / ledger.entry("energy").initial,
+                  ledger.largest_defect("volume_worst") / hump.cell(), off.bottom.value()};
+  };
+  const Names with_bottom{"energy", "volumes", "distance of nodes from the bottom"};
+  rows.push_back({"Hexahedra over an uneven bottom", with_bottom, {0.2, 0.1, 0.05, 0.025}, over_bottom});
   const Order second{2, 0.2, "second order of the one-step scheme: the geometry of a step is taken at its middle"};
   const std::vector<double> tenths{0.1, 0.05, 0.025, 0.0125, 0.00625}, fiftieths{0.02, 0.01, 0.005, 0.0025, 0.00125};
   const auto box = free_lagrangian::layer_mesh({.end = 3, .columns = 12, .rows = 4});
-  rows.push_back({"Dirichlet cells",
-                  {"areas"},
-                  fiftieths,
-                  [](double tau) {
-                    dirichlet_mesh::Flow patch(
-                        jittered(free_lagrangian::free_patch(16, 8, {-1, -0.5}, {1, 0.5}), 0.2, 1), stirring,
-                        {.gravity = 0, .stabilisation = 0});
-                    march(patch, 0.2, tau);
-                    return Errors{patch.largest_drift()};
-                  },
-                  second});
-  rows.push_back({"Dirichlet cells under gravity",
-                  {"energy"},
-                  tenths,
-                  [&](double tau) {
-                    return Errors{
-                        energy_defect(dirichlet_mesh::Flow(box, sloshing_velocity, {.stabilisation = 0.01}), tau)};
-                  },
-                  second});
+  const auto free_cells = [](double tau) {
+    dirichlet_mesh::Flow patch(jittered(free_lagrangian::free_patch(16, 8, {-1, -0.5}, {1, 0.5}), 0.2, 1), stirring,
+                               {.gravity = 0, .stabilisation = 0});
+    march(patch, 0.2, tau);
+    return Errors{patch.largest_drift()};
+  };
+  const auto cells = [&](double tau) {
+    return Errors{energy_defect(dirichlet_mesh::Flow(box, sloshing_velocity, {.stabilisation = 0.01}), tau)};
+  };
+  rows.push_back({"Dirichlet cells", {"areas"}, fiftieths, free_cells, second});
+  rows.push_back({"Dirichlet cells under gravity", {"energy"}, tenths, cells, second});
   using variable_mass::ControlKind;
   for (const auto& [name, kind] : {std::pair{"mapped", ControlKind::mapped}, {"at fixed x", ControlKind::fixed_x}}) {
-    rows.push_back({std::string("Variable masses, nodes ") + name,
-                    {"energy", "areas of the masses"},
-                    tenths,
-                    [&box, kind = kind](double tau) {
-                      const auto flow_of = [&](double stabilisation) {
-                        return variable_mass::Flow(box, {.velocity = sloshing_velocity}, {kind, 1, 1},
-                                                   {.stabilisation = stabilisation});
-                      };
-                      variable_mass::Flow plain = flow_of(0);
-                      march(plain, 1, tau);
-                      return Errors{energy_defect(flow_of(0.01), tau), plain.largest_drift()};
-                    },
-                    second});
+    const auto masses = [&box, kind = kind](double tau) {
+      const auto flow_of = [&](double stabilisation) {
+        return variable_mass::Flow(box, {.velocity = sloshing_velocity}, {kind, 1, 1},
+                                   {.stabilisation = stabilisation});
+      };
+      variable_mass::Flow plain = flow_of(0);
+      march(plain, 1, tau);
+      return Errors{energy_defect(flow_of(0.01), tau), plain.largest_drift()};
+    };
+    rows.push_back(
+        {std::string("Variable masses, nodes ") + name, {"energy", "areas of the masses"}, tenths, masses, second});
   }
-  rows.push_back({"Overlapping particles",
-                  {"masses in control volumes"},
-                  {0.04, 0.02, 0.01, 0.005, 0.0025},
-                  [](double tau) {
-                    overlapping_particles::Flow flow(shaken(overlapping_particles::staggered_disc(1, 0.125), 0.0125, 1),
-                                                     stirring);
-                    march(flow, 0.2, tau);
-                    flow.observe();
-                    return Errors{flow.ledger().largest_defect("volume_worst")};
-                  },
-                  second});
+  const auto overlaps = [](double tau) {
+    overlapping_particles::Flow flow(shaken(overlapping_particles::staggered_disc(1, 0.125), 0.0125, 1), stirring);
+    march(flow, 0.2, tau);
+    flow.observe();
+    return Errors{flow.ledger().largest_defect("volume_worst")};
+  };
+  const std::vector<double> hundredths{0.04, 0.02, 0.01, 0.005, 0.0025};
+  rows.push_back({"Overlapping particles", {"masses in control volumes"}, hundredths, overlaps, second});
   judge(check, rows);
   const auto held = basins().back().second;
   const Errors early = defects(held(), 0.05, 40, wave_energy), late = defects(held(), 0.05, 400, wave_energy);

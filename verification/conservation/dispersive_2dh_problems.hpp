@@ -59,50 +59,40 @@ inline std::shared_ptr<const PlanBottom> quartic_bottom() {
 
 /// A hump of 0.3 in a box 10 x 10 depths, 20 x 20 cells; its walls at x, y = 0 mirror it.
 inline dispersive_shallow_water_2d::Lattice plan_hump_in_box(std::shared_ptr<const PlanBottom> bottom = {}) {
+  const auto hump = [](double x, double y) { return 0.3 * std::exp(-0.3 * (x * x + y * y)); };
   return dispersive_shallow_water_2d::rectangular_lattice(
-      {.end = 10,
-       .north = 10,
-       .columns = 20,
-       .rows = 20,
-       .elevation = [](double x, double y) { return 0.3 * std::exp(-0.3 * (x * x + y * y)); },
-       .bottom = std::move(bottom)});
+      {.end = 10, .north = 10, .columns = 20, .rows = 20, .elevation = hump, .bottom = std::move(bottom)});
 }
 
 /// A hump of 0.15 beside the bump, box 20 x 10 depths, 40 x 20 cells.
 inline dispersive_shallow_water_2d::Lattice hump_over_bump() {
+  const auto hump = [](double x, double y) {
+    return 0.15 * std::exp(-0.3 * ((x - 10) * (x - 10) + (y - 4) * (y - 4)));
+  };
+  const auto bump = std::make_shared<BumpBottom>();
   return dispersive_shallow_water_2d::rectangular_lattice(
-      {.end = 20,
-       .north = 10,
-       .columns = 40,
-       .rows = 20,
-       .elevation = [](double x,
-                       double y) { return 0.15 * std::exp(-0.3 * ((x - 10) * (x - 10) + (y - 4) * (y - 4))); },
-       .bottom = std::make_shared<BumpBottom>()});
+      {.end = 20, .north = 10, .columns = 40, .rows = 20, .elevation = hump, .bottom = bump});
+}
+
+/// A rectangle of 24 x 24 cells of 0.5 about the origin that no side holds.
+inline dispersive_shallow_water_2d::Rectangle free_square() {
+  constexpr plan_lattice::FreeSide free;
+  return {.begin = -6, .end = 6, .south = -6, .north = 6, .columns = 24, .rows = 24, .sides = {free, free, free, free}};
 }
 
 /// 24 x 24 cells of 0.5, off a square at random, that no side holds; sheared and stirred at random.
 /// @param stands  on the level z = 0 with nothing around it; else 1 deep in still water that lies around it
 inline PlanProblem free_blob(bool stands, dispersive_shallow_water_2d::Settings settings = {}) {
-  using plan_lattice::FreeSide;
   std::minstd_rand random(1);
   std::uniform_real_distribution<double> uniform(-1, 1);
-  auto lattice = dispersive_shallow_water_2d::rectangular_lattice(
-      {.begin = -6,
-       .end = 6,
-       .south = -6,
-       .north = 6,
-       .columns = 24,
-       .rows = 24,
-       .elevation = [&](double, double) { return (stands ? 1.0 : 0.0) + 0.04 * uniform(random); },
-       .sides = {FreeSide{}, FreeSide{}, FreeSide{}, FreeSide{}},
-       .bottom = stands ? polynomial_bottom({{.coefficient = 0}}) : nullptr});
-  return PlanProblem(
-      jittered(std::move(lattice), 0.04, 2),
-      [&](double x, double y) {
-        return dispersive_shallow_water_2d::Velocity{0.3 - 0.1 * y + 0.02 * uniform(random),
-                                                     0.2 + 0.05 * x + 0.02 * uniform(random), 0.02 * uniform(random)};
-      },
-      settings);
+  auto square = free_square();
+  square.elevation = [&](double, double) { return (stands ? 1.0 : 0.0) + 0.04 * uniform(random); };
+  if (stands) square.bottom = polynomial_bottom({{.coefficient = 0}});
+  const auto stirred = [&](double x, double y) {
+    return dispersive_shallow_water_2d::Velocity{0.3 - 0.1 * y + 0.02 * uniform(random),
+                                                 0.2 + 0.05 * x + 0.02 * uniform(random), 0.02 * uniform(random)};
+  };
+  return PlanProblem(jittered(rectangular_lattice(square), 0.04, 2), stirred, settings);
 }
 
 }  // namespace seiche::verification

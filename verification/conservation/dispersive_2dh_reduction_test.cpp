@@ -36,14 +36,12 @@ struct Channel {
   [[nodiscard]] double jet(double x) const { return speed * std::exp(-0.2 * (x - middle) * (x - middle)); }
 
   [[nodiscard]] line::Flow line_flow(Stepping stepping) const {
-    line::Channel channel{.bottom = std::make_shared<LevelBottom>(1.0)};
+    line::Channel channel{.bottom = std::make_shared<LevelBottom>(1.0), .alpha = 1.0 / 3 + gamma, .gamma = gamma};
     if (!level()) {
-      channel.bottom =
-          std::make_shared<SmoothBottom>([c = *this](double x) { return c.surface(x) - 1; },
-                                         [c = *this](double x) { return c.tilt + 2 * c.bend * x; }, -1, length + 1);
+      const auto elevation = [c = *this](double x) { return c.surface(x) - 1; };
+      const auto slope = [c = *this](double x) { return c.tilt + 2 * c.bend * x; };
+      channel.bottom = std::make_shared<SmoothBottom>(elevation, slope, -1, length + 1);
     }
-    channel.alpha = 1.0 / 3 + gamma;
-    channel.gamma = gamma;
     line::Markers markers;
     for (std::size_t i = 0; i <= columns; ++i) {
       const double x = length * static_cast<double>(i) / columns;
@@ -57,24 +55,22 @@ struct Channel {
 
   /// @param along_y  the same channel turned by a right angle
   [[nodiscard]] plan::Flow plan_flow(std::size_t rows, Stepping stepping, bool along_y) const {
-    using Terms = std::vector<PolynomialBottom::Term>;
     const double width = 0.7 * static_cast<double>(rows);
     plan::Rectangle rectangle{.end = along_y ? width : length,
                               .north = along_y ? length : width,
                               .columns = along_y ? rows : columns,
                               .rows = along_y ? columns : rows};
     if (!level()) {
-      rectangle.elevation = [=, this](double x, double y) { return surface(along_y ? y : x); };
-      rectangle.bottom = std::make_shared<PolynomialBottom>(along_y ? Terms{{-1, 0, 0}, {tilt, 0, 1}, {bend, 0, 2}}
-                                                                    : Terms{{-1, 0, 0}, {tilt, 1, 0}, {bend, 2, 0}});
+      const int x = along_y ? 0 : 1, y = along_y ? 1 : 0;
+      rectangle.elevation = [=, this](double at_x, double at_y) { return surface(along_y ? at_y : at_x); };
+      rectangle.bottom = polynomial_bottom({{-1, 0, 0}, {tilt, x, y}, {bend, 2 * x, 2 * y}});
     }
-    return plan::Flow(
-        plan::rectangular_lattice(rectangle),
-        [=, this](double x, double y) {
-          return along_y ? plan::Velocity{0, jet(y), 0} : plan::Velocity{jet(x), 0, 0};
-        },
-        {.stepping = stepping}, {.inertia = 1.0 / 3 + gamma, .gamma = gamma, .solver = linear::SolverMethod::banded},
-        {}, {}, false);
+    const auto velocity = [=, this](double x, double y) {
+      return along_y ? plan::Velocity{0, jet(y), 0} : plan::Velocity{jet(x), 0, 0};
+    };
+    return plan::Flow(plan::rectangular_lattice(rectangle), velocity, {.stepping = stepping},
+                      {.inertia = 1.0 / 3 + gamma, .gamma = gamma, .solver = linear::SolverMethod::banded}, {}, {},
+                      false);
   }
 };
 

@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 #include <vector>
 
+#include "seiche/geometry/curve.hpp"
 #include "seiche/models/dispersive_shallow_water_1d/model.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
@@ -12,10 +14,6 @@ namespace seiche::verification::dispersive_elementary_volumes_test {
 using namespace dispersive_shallow_water_1d;
 
 const std::string source = "Frank, Discrete models of incompressible fluids (1994), ch. 3, figure 4 and formula (10)";
-
-struct Point {
-  double x, y;
-};
 
 /// Level bottom, a slope of 1 to 3, and a wave before it.
 struct Shore {
@@ -62,28 +60,21 @@ struct Shore {
   }
 };
 
-struct Shape {
-  double area = 0;
-  Point centre{};
-};
-
 /// Area and centroid of a polygon.
-Shape shape_of(const std::vector<Point>& outline) {
-  Shape shape;
+std::pair<double, Point> shape_of(const std::vector<Point>& outline) {
+  double area = 0, x = 0, y = 0;
   for (std::size_t i = 0; i < outline.size(); ++i) {
-    const Point& a = outline[i];
-    const Point& b = outline[(i + 1) % outline.size()];
+    const Point &a = outline[i], &b = outline[(i + 1) % outline.size()];
     const double cross = a.x * b.y - b.x * a.y;
-    shape.area += 0.5 * cross;
-    shape.centre.x += cross * (a.x + b.x) / 6;
-    shape.centre.y += cross * (a.y + b.y) / 6;
+    area += 0.5 * cross;
+    x += cross * (a.x + b.x) / 6;
+    y += cross * (a.y + b.y) / 6;
   }
-  shape.centre.x /= shape.area;
-  shape.centre.y /= shape.area;
-  return shape;
+  return {area, {x / area, y / area}};
 }
 
-void draw(Check& check, const Shore& shore, const std::vector<Shape>& volumes) {
+/// @param x, y  of the centres of the elementary volumes
+void draw(Check& check, const Shore& shore, const std::vector<double>& x, const std::vector<double>& y) {
   auto& figure = check.figure("model", "The discrete shallow-water model on a slope",
                               "Nodes on the surface; elementary volumes, bounded by verticals at the middle abscissas "
                               "between nodes; the particle of each volume, of its mass, drawn at its centre of area. "
@@ -93,17 +84,12 @@ void draw(Check& check, const Shore& shore, const std::vector<Shape>& volumes) {
       {.x = "x/H", .y = "y/H", .equal_aspect = true, .x_min = -7.2, .x_max = 0.8, .y_min = -1.25, .y_max = 0.6});
   panel.fill("water", shore.markers.x, shore.markers.y, Role::water);
   panel.fill("bottom", shore.knots, shore.levels, Role::bed);
-  for (const double x : shore.boundaries()) {
-    panel.line("elementary volumes", std::vector{x, x},
-               std::vector{shore.channel.bottom->elevation(x), shore.surface(x)}, Role::peer);
+  for (const double end : shore.boundaries()) {
+    panel.line("elementary volumes", std::vector{end, end},
+               std::vector{shore.channel.bottom->elevation(end), shore.surface(end)}, Role::peer);
   }
   panel.line("surface", shore.markers.x, shore.markers.y, Role::exact);
   panel.points("markers", shore.markers.x, shore.markers.y, Role::computed);
-  std::vector<double> x, y;
-  for (const Shape& volume : volumes) {
-    x.push_back(volume.centre.x);
-    y.push_back(volume.centre.y);
-  }
   panel.points("particles", x, y, Role::data);
 }
 
@@ -116,16 +102,18 @@ TEST_CASE("particles of the dispersive model have the mass of their elementary v
   const Shore shore;
   const Model model(shore.channel, shore.markers);
   const std::vector<double> ends = shore.boundaries();
-  std::vector<Shape> volumes;
+  const auto area = [&](double from, double to) { return shape_of(shore.outline(from, to)).first; };
+  std::vector<double> x, y;
   Worst worst_mass, worst_cell;
   for (std::size_t i = 0; i < model.size(); ++i) {
-    volumes.push_back(shape_of(shore.outline(ends[i], ends[i + 1])));
-    worst_mass.add(model.masses()[i] - volumes.back().area);
+    const auto [volume, centre] = shape_of(shore.outline(ends[i], ends[i + 1]));
+    x.push_back(centre.x);
+    y.push_back(centre.y);
+    worst_mass.add(model.masses()[i] - volume);
     if (i + 1 == model.size()) break;
-    const double cell = shape_of(shore.outline(shore.markers.x[i], shore.markers.x[i + 1])).area;
-    worst_cell.add(model.rest_volumes()[i] - cell);
+    worst_cell.add(model.rest_volumes()[i] - area(shore.markers.x[i], shore.markers.x[i + 1]));
   }
-  const double water = shape_of(shore.outline(shore.markers.x.front(), shore.markers.x.back())).area;
+  const double water = area(shore.markers.x.front(), shore.markers.x.back());
   const auto claim = [&](const std::string& text, double defect, double scale) {
     check.holds(text, {defect},
                 Roundoff{40, scale, "products x y of the polygon's corners, eight corners of five operations"});
@@ -145,7 +133,7 @@ TEST_CASE("particles of the dispersive model have the mass of their elementary v
       .that("tip-consistent", "The consistent mass of the tip is a sixth of its triangle.",
             "mass of the tip/area of the last cell", {Model(consistent, shore.markers).masses().back() / triangle},
             Roundoff{10, 1.0 / 6, "two areas of five operations each", 1.0 / 6});
-  draw(check, shore, volumes);
+  draw(check, shore, x, y);
 }
 
 }  // namespace seiche::verification::dispersive_elementary_volumes_test

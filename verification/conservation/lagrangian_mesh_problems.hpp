@@ -46,22 +46,27 @@ inline std::shared_ptr<const GraphCurve> bump() {
                                       0, 6, 60);
 }
 
+/// Still water up to a wall of slope 1 whose curve ends 0.05 above its level.
+inline lagrangian_mesh_2d::Mesh water_at_short_wall() {
+  auto mesh = lagrangian_mesh_2d::layer_mesh_with_slope({.end = 4, .columns = 16, .rows = 4}, 1);
+  const auto height = [](double x) { return x - 5; };
+  const auto one = [](double) { return 1.0; };
+  const auto zero = [](double) { return 0.0; };
+  mesh.sides.right = lagrangian_mesh_2d::Wall{std::make_shared<GraphCurve>(height, one, zero, 3.9, 5.05, 8)};
+  return mesh;
+}
+
 constexpr double wave_energy = 0.015;  ///< of a surface 0.1 cos(kx) over 6 depths, (1/4) 0.1^2 6
 
 /// Water that sloshes between walls of all kinds: what they are, and the water.
 inline std::vector<std::pair<std::string, MeshProblem (*)()>> basins() {
   using namespace lagrangian_mesh_2d;
+  static const auto finer = [](std::shared_ptr<const GraphCurve> bottom = {}) {
+    return Layer{.end = 6, .columns = 24, .rows = 4, .elevation = cosine_elevation, .bottom = std::move(bottom)};
+  };
   return {{"vertical walls, level bottom", [] { return sloshing(); }},
-          {"an inclined wall",
-           [] {
-             return MeshProblem(
-                 layer_mesh_with_slope({.end = 6, .columns = 24, .rows = 4, .elevation = cosine_elevation}, 1));
-           }},
-          {"a bump on the bottom",
-           [] {
-             return MeshProblem(
-                 layer_mesh({.end = 6, .columns = 24, .rows = 4, .elevation = cosine_elevation, .bottom = bump()}));
-           }},
+          {"an inclined wall", [] { return MeshProblem(layer_mesh_with_slope(finer(), 1)); }},
+          {"a bump on the bottom", [] { return MeshProblem(layer_mesh(finer(bump()))); }},
           {"vertical walls, with the hourglass potential", [] { return sloshing({.hourglass = 0.3}); }}};
 }
 

@@ -14,6 +14,7 @@
 #include "seiche/mechanics/start.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
+#include "verification/conservation/differences.hpp"
 
 namespace seiche::verification {
 
@@ -67,15 +68,8 @@ inline void conserves(Check& check, const std::string& flow, const mechanics::In
   }
 }
 
-inline double largest_difference(mechanics::Input a, mechanics::Input b) {
-  Worst largest;
-  for (std::size_t i = 0; i < a.size(); ++i) largest.add(a[i] - b[i]);
-  return largest.value();
-}
-
 inline double largest_difference(const mechanics::State& a, const mechanics::State& b) {
-  return worst(
-      std::array{largest_difference(mechanics::Input(a.q), b.q), largest_difference(mechanics::Input(a.u), b.u)});
+  return worst(std::array{largest_difference(a.q, b.q), largest_difference(a.u, b.u)});
 }
 
 /// What is left after so many steps, reversal of the velocities, as many steps and another reversal.

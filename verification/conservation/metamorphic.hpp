@@ -88,16 +88,22 @@ struct Option {
   bool rounds = false;  ///< by powers and roots that take a power of two apart
 };
 
-struct Subject {
-  std::string id, name;
-  double growth;
-  std::string reason;
-  std::vector<Option> options;
-};
-
 inline const std::string of_solves =
     "each of 24 steps some hundred roundings, times 20 for the solution of its equations";
 inline const std::string of_sums = "each of 24 steps some hundred roundings";
+
+/// A model, and by what its roundings grow.
+struct Subject {
+  std::string id, name;
+  double growth = 20;
+  std::string reason = of_solves;
+  std::vector<Option> options = {};
+
+  /// @param flow  flow(twin) runs the flow as its twin. The twin of other units is one of those of every option.
+  void add(const std::string& option, const Which& which, std::function<Seen(const Twin&)> flow, bool rounds = false) {
+    options.push_back({option, std::move(flow), and_units(which), rounds});
+  }
+};
 
 /// Of what throws: more than any limit.
 inline double difference(const Option& option, const Twin& twin) {
@@ -112,10 +118,8 @@ inline double difference(const Option& option, const Twin& twin) {
 /// Every subject is a check.
 inline void judge(const std::vector<Subject>& subjects) {
   for (const Subject& subject : subjects) {
-    std::string id = subject.id;
-    std::replace(id.begin(), id.end(), '-', '_');
     Check check(
-        "metamorphic_" + id, fmt::format("The flow of {} and its twin", subject.name),
+        "metamorphic_" + subject.id, fmt::format("The flow of {} and its twin", subject.name),
         "A small flow with each main option of the model, some 24 steps, and its twin: mirrored; rotated by 90 "
         "degrees; in other units; at another position; in a moving frame; with its particles in another order. The "
         "twin's results, transformed back, equal the flow's: bitwise with powers of two as units, except where a power "

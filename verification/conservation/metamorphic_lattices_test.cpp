@@ -30,8 +30,7 @@ Markers markers_of(const Twin& twin, bool tip) {
   constexpr std::size_t n = 49;
   const std::size_t count = tip ? n : n - 1;
   for (std::size_t k = 0; k < count; ++k) {
-    const double x = 0.25 * static_cast<double>(twin.in_row(k, count)) - 12;
-    const double h = 0.5 * hump(x, -6.5);
+    const double x = 0.25 * static_cast<double>(twin.in_row(k, count)) - 12, h = 0.5 * hump(x, -6.5);
     const Point v = twin.velocity({h, -2 * h * (x + 6.5) * h});
     const Point there = twin.place({x, x == 0 ? 0 : h});
     m.x.push_back(there.x);
@@ -43,15 +42,15 @@ Markers markers_of(const Twin& twin, bool tip) {
 }
 
 Seen run(const Twin& twin, Channel base, bool beach, Stepping stepping) {
-  // A beach 1:4 whose foot is under the wave's front.
-  std::vector<double> x{-16, -4.125, 8.25}, z{-1, -1, 2};
-  if (twin.mirrored) {
-    std::reverse(x.begin(), x.end());
-    std::reverse(z.begin(), z.end());
-  }
-  for (double& place : x) place = twin.place(place);
-  for (double& level : z) level *= twin.length;
   if (beach) {
+    // 1:4, its foot is under the wave's front.
+    std::vector<double> x{-16, -4.125, 8.25}, z{-1, -1, 2};
+    for (double& place : x) place = twin.place(place);
+    for (double& level : z) level *= twin.length;
+    if (twin.mirrored) {
+      std::ranges::reverse(x);
+      std::ranges::reverse(z);
+    }
     base.bottom = std::make_shared<PiecewiseLinearBottom>(x, z);
     base.right = End::tip;
   } else {
@@ -88,13 +87,10 @@ std::shared_ptr<const PlanBottom> bottom_of(const Twin& twin, bool shore) {
     return product;
   };
   // Places of the flow as polynomials in those of the twin.
-  const auto coordinate = [&](int axis) {
-    const auto along = [&](Point d) { return axis == 0 ? d.x : d.y; };
-    return Terms{{{1, 0}, along(twin.undirected({1 / twin.length, 0}))},
-                 {{0, 1}, along(twin.undirected({0, 1 / twin.length}))},
-                 {{0, 0}, along(twin.undirected({-twin.origin.x, -twin.origin.y}))}};
-  };
-  const Terms x = coordinate(0), y = coordinate(1);
+  const Point right = twin.undirected({1 / twin.length, 0}), up = twin.undirected({0, 1 / twin.length});
+  const Point origin = twin.undirected({-twin.origin.x, -twin.origin.y});
+  const Terms x{{{1, 0}, right.x}, {{0, 1}, up.x}, {{0, 0}, origin.x}};
+  const Terms y{{{1, 0}, right.y}, {{0, 1}, up.y}, {{0, 0}, origin.y}};
   Terms sum;
   const auto add = [&](double c, const Terms& terms) {
     for (const auto& [p, d] : terms) sum[p] += twin.length * c * d;
@@ -115,10 +111,7 @@ std::shared_ptr<const PlanBottom> bottom_of(const Twin& twin, bool shore) {
 
 namespace plan {
 using namespace dispersive_shallow_water_2d;
-using plan_lattice::FreeSide;
-using plan_lattice::ShoreSide;
-using plan_lattice::Side;
-using plan_lattice::WallSide;
+using plan_lattice::FreeSide, plan_lattice::ShoreSide, plan_lattice::Side, plan_lattice::WallSide;
 
 enum class Where { box, free, slope, shore };
 
@@ -129,21 +122,18 @@ Seen run(const Twin& twin, Where where, Settings settings, Stepping stepping) {
   const TwinLattice nodes(columns, rows, twin);
   const Side usual = where == Where::free ? Side(FreeSide{}) : Side(WallSide{});
   const auto sides = turned_sides<Side>({usual, usual, where == Where::shore ? Side(ShoreSide{}) : usual, usual}, twin);
-  Lattice lattice{.shape = {nodes.columns, nodes.rows},
-                  .x = {},
-                  .y = {},
-                  .z = {},
-                  .sides = {sides[0], sides[1], sides[2], sides[3]},
-                  .depth = twin.length,
-                  .bottom = {}};
+  Lattice lattice;
+  lattice.shape = {nodes.columns, nodes.rows};
+  lattice.sides = {sides[0], sides[1], sides[2], sides[3]};
+  lattice.depth = twin.length;
   if (where == Where::slope || where == Where::shore) lattice.bottom = bottom_of(twin, where == Where::shore);
   std::vector<Velocity> velocities;
   for (const std::size_t k : nodes.node) {
     const std::size_t i = k % (columns + 1), j = k / (columns + 1);
     Noise noise(k + 1);
     const bool inside = i > 0 && i < columns && j > 0 && j < rows;
-    const Point r{cell * (static_cast<double>(i) + (inside ? 0.1 * noise() : 0)),
-                  cell * (static_cast<double>(j) + (inside ? 0.1 * noise() : 0))};
+    const auto along = [&](std::size_t n) { return cell * (static_cast<double>(n) + (inside ? 0.1 * noise() : 0)); };
+    const Point r{along(i), along(j)};
     const Point there = twin.place(r);
     lattice.x.push_back(there.x);
     lattice.y.push_back(there.y);
@@ -169,9 +159,7 @@ Seen run(const Twin& twin, Where where, Settings settings, Stepping stepping) {
 
 namespace hexahedra {
 using namespace lagrangian_mesh_3d;
-using plan_lattice::FreeSide;
-using plan_lattice::Side;
-using plan_lattice::WallSide;
+using plan_lattice::FreeSide, plan_lattice::Side, plan_lattice::WallSide;
 
 enum class Where { body, box, slope };
 
@@ -180,26 +168,22 @@ Seen run(const Twin& twin, Where where, Stepping stepping) {
   constexpr double cell = 0.5;
   const TwinLattice nodes(columns, rows, twin);
   const Side side = where == Where::body ? Side(FreeSide{}) : Side(WallSide{});
-  Mesh mesh{.plan = {nodes.columns, nodes.rows},
-            .layers = layers,
-            .x = {},
-            .y = {},
-            .z = {},
-            .sides = {side, side, side, side},
-            .free_bottom = where == Where::body};
+  Mesh mesh;
+  mesh.plan = {nodes.columns, nodes.rows};
+  mesh.layers = layers;
+  mesh.sides = {side, side, side, side};
+  mesh.free_bottom = where == Where::body;
   if (where == Where::slope) mesh.bottom = bottom_of(twin, false);
   std::vector<Vector> velocities;
   for (std::size_t l = 0; l <= layers; ++l) {
     for (const std::size_t k : nodes.node) {
       const std::size_t i = k % (columns + 1), j = k / (columns + 1);
       Noise noise(100 * l + k + 1);
-      const bool inside = i > 0 && i < columns && j > 0 && j < rows && l > 0;
-      const double jitter = inside ? 0.05 : 0;
-      const Point r{cell * (static_cast<double>(i) + jitter * noise()),
-                    cell * (static_cast<double>(j) + jitter * noise())};
+      const double jitter = i > 0 && i < columns && j > 0 && j < rows && l > 0 ? 0.05 : 0;
+      const auto along = [&](std::size_t n) { return cell * (static_cast<double>(n) + jitter * noise()); };
+      const Point r{along(i), along(j)};
       const Point there = twin.place(r);
-      const double top = 0.2 * hump(r.x, 1) * hump(r.y, 1);
-      const double height = static_cast<double>(l) / layers;
+      const double top = 0.2 * hump(r.x, 1) * hump(r.y, 1), height = static_cast<double>(l) / layers;
       const double bed = mesh.bottom ? mesh.bottom->slope(there.x, there.y).elevation : -twin.length;
       mesh.x.push_back(there.x);
       mesh.y.push_back(there.y);
@@ -208,9 +192,9 @@ Seen run(const Twin& twin, Where where, Stepping stepping) {
       velocities.push_back({v.x, v.y, twin.speed() * 0.1 * noise()});
     }
   }
-  Flow flow(
-      mesh, velocities, {.stepping = stepping},
-      {.gravity = where == Where::body ? 0.0 : twin.acceleration(1), .density = twin.density, .tolerance = 1e-13});
+  const double gravity = where == Where::body ? 0.0 : twin.acceleration(1);
+  Flow flow(mesh, velocities, {.stepping = stepping},
+            {.gravity = gravity, .density = twin.density, .tolerance = 1e-13});
   take_steps(flow, 0.03125 * twin.time);
   return seen_in_space(twin, nodes, flow);
 }
@@ -231,8 +215,7 @@ Seen run(const Twin& twin, bool patch, Settings settings, Stepping stepping) {
   }
   std::vector<Point> velocities;
   for (const std::size_t k : nodes.node) {
-    const double x = 0.5 * static_cast<double>(k % (columns + 1));
-    const double top = patch ? 0 : 0.2 * hump(x, 1);
+    const double x = 0.5 * static_cast<double>(k % (columns + 1)), top = patch ? 0 : 0.2 * hump(x, 1);
     const Point r{x, -1 + (1 + top) * 0.25 * static_cast<double>(k / (columns + 1))};
     const Point there = twin.place(r);
     m.x.push_back(there.x);
@@ -249,12 +232,13 @@ Seen run(const Twin& twin, bool patch, Settings settings, Stepping stepping) {
 
 Subject dispersive_1d() {
   using namespace dispersive_shallow_water_1d;
-  Subject s{"dispersive-1d", "dispersive 1D", 320, of_solves + " and 16 for the feedback of a drift over a step", {}};
+  Subject s{"dispersive_1d", "dispersive 1D", 320, of_solves + " and 16 for the feedback of a drift over a step"};
   const auto add = [&](const std::string& name, const Channel& c, bool beach, Stepping stepping, const Which& which,
                        bool rounds = false) {
-    s.options.push_back({name, [=](const Twin& t) { return channel::run(t, c, beach, stepping); }, which, rounds});
+    s.add(
+        name, which, [=](const Twin& t) { return channel::run(t, c, beach, stepping); }, rounds);
   };
-  const Which row = and_units({"mirror", "along"}), ring = and_units({"mirror", "along", "origin", "moving"});
+  const Which row{"mirror", "along"}, ring{"mirror", "along", "origin", "moving"};
   add("periodic, one-step", {.period = 12}, false, Stepping::one_step, ring);
   add("periodic, feedback", {.period = 12}, false, Stepping::one_step_feedback, ring);
   add("periodic, conservative", {.period = 12}, false, Stepping::conservative, ring);
@@ -270,12 +254,12 @@ Subject dispersive_1d() {
 
 Subject dispersive_2dh() {
   using plan::Where;
-  Subject s{"dispersive-2dh", "dispersive 2DH", 20, of_solves, {}};
+  Subject s{"dispersive_2dh", "dispersive 2DH"};
   const auto add = [&](const std::string& name, Where where, const plan::Settings& settings, Stepping stepping,
                        Which which = {}, bool rounds = false) {
     which.insert({"mirror", "turned", "origin"});
-    s.options.push_back(
-        {name, [=](const Twin& t) { return plan::run(t, where, settings, stepping); }, and_units(which), rounds});
+    s.add(
+        name, which, [=](const Twin& t) { return plan::run(t, where, settings, stepping); }, rounds);
   };
   add("box, improved", Where::box, {.inertia = 0.4, .gamma = 1.0 / 15}, Stepping::one_step);
   add("free, conservative", Where::free, {}, Stepping::conservative, {"moving"});
@@ -288,28 +272,26 @@ Subject dispersive_2dh() {
 }
 
 Subject mesh_2d() {
-  Subject s{"mesh-2d", "Lagrangian mesh 2D", 20, of_solves, {}};
+  Subject s{"mesh_2d", "Lagrangian mesh 2D"};
   for (const Stepping stepping : {Stepping::one_step, Stepping::conservative}) {
-    const bool one = stepping == Stepping::one_step;
-    const std::string name = one ? ", one-step" : ", conservative";
-    const lagrangian_mesh_2d::Settings improved{.hourglass = 0.2, .tuned_surface_inertia = true};
-    s.options.push_back({"free patch" + name, [=](const Twin& t) { return mesh::run(t, true, {}, stepping); },
-                         and_units({"mirror", "turned", "origin", "moving"})});
-    s.options.push_back(
-        {"sloshing" + name,
-         [=](const Twin& t) { return mesh::run(t, false, one ? improved : lagrangian_mesh_2d::Settings{}, stepping); },
-         and_units({"mirror", "along"})});
+    const std::string name = stepping == Stepping::one_step ? ", one-step" : ", conservative";
+    lagrangian_mesh_2d::Settings settings;
+    if (stepping == Stepping::one_step) settings = {.hourglass = 0.2, .tuned_surface_inertia = true};
+    s.add("free patch" + name, {"mirror", "turned", "origin", "moving"},
+          [=](const Twin& t) { return mesh::run(t, true, {}, stepping); });
+    s.add("sloshing" + name, {"mirror", "along"},
+          [=](const Twin& t) { return mesh::run(t, false, settings, stepping); });
   }
   return s;
 }
 
 Subject mesh_3d() {
   using hexahedra::Where;
-  Subject s{"mesh-3d", "Lagrangian mesh 3D", 20, of_solves, {}};
+  Subject s{"mesh_3d", "Lagrangian mesh 3D"};
   const auto add = [&](const std::string& name, Where where, Stepping stepping, Which which = {}) {
     which.insert({"mirror", "turned", "origin"});
-    s.options.push_back({name, [=](const Twin& t) { return hexahedra::run(t, where, stepping); }, and_units(which),
-                         stepping == Stepping::one_step});
+    s.add(
+        name, which, [=](const Twin& t) { return hexahedra::run(t, where, stepping); }, stepping == Stepping::one_step);
   };
   add("free body", Where::body, Stepping::one_step, {"moving"});
   add("box, conservative", Where::box, Stepping::conservative);

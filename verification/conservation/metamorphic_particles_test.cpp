@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -34,19 +35,26 @@ Seen seen_of(const auto& flow, const Twin& twin, const std::vector<std::size_t>&
   return seen_in_plane(twin, order, q, q.subspan(n), u, u.subspan(n), flow.time());
 }
 
+/// Particles of the twin, in an order.
+template <class Particles>
+Particles twins_of(const Particles& base, const Twin& twin, const std::vector<std::size_t>& order) {
+  Particles particles = base;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const Point r = twin.place({base.x[order[k]], base.y[order[k]]});
+    particles.x[k] = r.x;
+    particles.y[k] = r.y;
+    particles.mass[k] = base.mass[order[k]] * twin.density * twin.length * twin.length;
+  }
+  return particles;
+}
+
 Seen overlapping(const Twin& twin, overlapping_particles::Settings settings, bool floor) {
   using namespace overlapping_particles;
   constexpr double spacing = 0.25;
   const Particles blob = shaken(staggered_disc(1, spacing), 0.1 * spacing, 1);
   const auto order = twin.order(blob.size());
-  Particles particles;
+  Particles particles = twins_of(blob, twin, order);
   particles.spacing = spacing * twin.length;
-  for (const std::size_t k : order) {
-    const Point r = twin.place({blob.x[k], blob.y[k]});
-    particles.x.push_back(r.x);
-    particles.y.push_back(r.y);
-    particles.mass.push_back(blob.mass[k] * twin.density * twin.length * twin.length);
-  }
   if (floor) {
     settings.walls.push_back({twin.place({0, -1.25}), twin.direction({0, 1})});
     settings.gravity = twin.acceleration(1);
@@ -101,13 +109,11 @@ Seen variable(const Twin& twin, variable_mass::Control control, bool layer) {
 Seen gauss(const Twin& twin, bool tank, gauss_particles::Stepping stepping) {
   using namespace gauss_particles;
   LatticePlan lattice{.cell_x = (tank ? 0.5 : 0.25) * twin.length};
-  Particles base = tank ? layer({.end = 2,
-                                 .columns = 16,
-                                 .rows = 8,
-                                 .surface = [](double x) { return 0.2 * hump(x, 0.5); },
-                                 .bottom = [](double) { return -1.0; },
-                                 .markers = 8})
-                        : gauss_particles::disc(1, 14, 8);
+  const auto surface = [](double x) { return 0.2 * hump(x, 0.5); };
+  const auto bottom = [](double) { return -1.0; };
+  const Particles base =
+      tank ? layer({.end = 2, .columns = 16, .rows = 8, .surface = surface, .bottom = bottom, .markers = 8})
+           : gauss_particles::disc(1, 14, 8);
   if (tank) {
     lattice.left_wall = twin.place(0);
     lattice.right_wall = twin.place(2);
@@ -116,15 +122,11 @@ Seen gauss(const Twin& twin, bool tank, gauss_particles::Stepping stepping) {
     lattice.ground = {.level = -twin.length};
   }
   const auto order = twin.order(base.size());
-  Particles particles;
-  for (const std::size_t k : order) {
-    const Point r = twin.place({base.x[k], base.y[k]});
-    particles.add(r.x, r.y, base.mass[k] * twin.density * twin.length * twin.length);
-  }
-  Flow flow(
-      particles, std::make_unique<SplineSpace>(lattice.ground, lattice, SplineSpace::Settings{.density = twin.density}),
-      twin.field(tank ? sloshed : stirring),
-      {.gravity = tank ? twin.acceleration(1) : 0, .density = twin.density, .penalty = tank ? 0.01 : 0}, {}, stepping);
+  Flow flow(twins_of(base, twin, order),
+            std::make_unique<SplineSpace>(lattice.ground, lattice, SplineSpace::Settings{.density = twin.density}),
+            twin.field(tank ? sloshed : stirring),
+            {.gravity = tank ? twin.acceleration(1) : 0, .density = twin.density, .penalty = tank ? 0.01 : 0}, {},
+            stepping);
   take_steps(flow, 0.015625 * twin.time);
   return seen_of(flow, twin, order);
 }
@@ -183,9 +185,8 @@ Seen run(const Twin& twin, Row row, const Ends& ends, Scheme scheme, int many) {
     p.velocity.push_back(twin.velocity({base.velocity[twin.in_row(k, count)], 0}).x);
   }
   const auto in_twin = [&](const End& end) -> End {
-    const auto times = [&](const std::function<double(double)>& f, double factor) -> std::function<double(double)> {
-      if (!f) return {};
-      return [f, factor, twin](double t) { return factor * f(t / twin.time); };
+    const auto times = [&](const std::function<double(double)>& f, double factor) {
+      return f ? [f, factor, twin](double t) { return factor * f(t / twin.time); } : std::function<double(double)>();
     };
     if (const auto* open = std::get_if<Open>(&end)) {
       return Open{times(open->discharge, twin.sign() * twin.length * twin.speed()), times(open->depth, twin.length)};
@@ -197,7 +198,7 @@ Seen run(const Twin& twin, Row row, const Ends& ends, Scheme scheme, int many) {
   };
   Ends there{in_twin(ends.left), in_twin(ends.right)};
   twin.swap_if_mirrored(there.left, there.right);
-  Forcing forcing{.gravity = twin.acceleration(1), .bed = {}, .manning = 0, .body_force = {}};
+  Forcing forcing{.gravity = twin.acceleration(1)};
   if (row.uneven) {
     forcing.bed = sinusoidal_bed(twin);
     forcing.manning = 0.05 * twin.time / std::cbrt(twin.length);
@@ -209,10 +210,8 @@ Seen run(const Twin& twin, Row row, const Ends& ends, Scheme scheme, int many) {
   Seen seen(n + 1);
   for (std::size_t k = 0; k <= n; ++k) {
     const std::size_t edge = twin.in_row(k, n + 1);
-    const bool is_particle = edge < n;
-    const std::size_t there_k = is_particle ? twin.in_row(edge, n) : 0;
-    seen.at(edge, twin, {now.edge[k], 0}, {is_particle ? now.velocity[there_k] : twin.velocity({0, 0}).x, 0},
-            flow.time());
+    const double velocity = edge < n ? now.velocity[twin.in_row(edge, n)] : twin.velocity({0, 0}).x;
+    seen.at(edge, twin, {now.edge[k], 0}, {velocity, 0}, flow.time());
   }
   return seen;
 }
@@ -246,75 +245,49 @@ Seen volumes(const Twin& twin, shallow_water_finite_volume::Scheme scheme, bool 
   return seen;
 }
 /// Of particles in any order: a free body, and water on walls under gravity.
-const Which body = and_units({"mirror", "turned", "origin", "moving", "permuted"});
-const Which layer_of_water = and_units({"mirror", "along", "permuted"});
+const Which body{"mirror", "turned", "origin", "moving", "permuted"}, layer_of_water{"mirror", "along", "permuted"};
 
 std::vector<Subject> bodies() {
-  using variable_mass::ControlKind;
-  const auto cells = [](ControlKind kind) {
-    return [kind](const Twin& t) { return variable(t, {kind, 1, 0.5}, true); };
-  };
-  using Gauss = gauss_particles::Stepping;
   // Cut cells are continued along columns before rows, and cells stand still.
-  const Which drop = and_units({"mirror", "origin", "permuted"});
-  return {
-      {"overlapping",
-       "overlapping particles",
-       20,
-       of_solves,
-       {{"free blob", [](const Twin& t) { return overlapping(t, {}, false); }, body},
-        {"over a floor", [](const Twin& t) { return overlapping(t, {.stabilisation = 0.1}, true); }, layer_of_water}}},
-      {"dirichlet",
-       "Dirichlet cells",
-       20,
-       of_solves,
-       {{"free patch", [](const Twin& t) { return dirichlet(t, false); }, body},
-        {"sloshing", [](const Twin& t) { return dirichlet(t, true); }, layer_of_water}}},
-      {"variable-mass",
-       "variable-mass particles",
-       20,
-       of_solves,
-       {{"free patch",
-         [](const Twin& t) {
-           return variable(t, {ControlKind::centroid, 1, 0}, false);
-         },
-         body},
-        {"mapped", cells(ControlKind::mapped), layer_of_water},
-        {"fixed in x", cells(ControlKind::fixed_x), layer_of_water}}},
-      {"gauss",
-       "Gauss-principle particles",
-       20,
-       of_solves,
-       {{"drop", [](const Twin& t) { return gauss(t, false, Gauss::conservative); }, drop},
-        {"tank, penalty", [](const Twin& t) { return gauss(t, true, Gauss::conservative); }, layer_of_water},
-        {"drop, dissipative", [](const Twin& t) { return gauss(t, false, Gauss::dissipative); }, drop}}},
-      {"wcsph",
-       "WCSPH",
-       1,
-       of_sums,
-       {{"artificial viscosity", [](const Twin& t) { return sph(t, {.viscosity = wcsph::ArtificialViscosity{0.1}}); },
-         body},
-        {"SPS stress, density diffusion",
-         [](const Twin& t) { return sph(t, {.viscosity = wcsph::LaminarSps{}, .density_diffusion = 0.1}); }, body}}},
-  };
+  const Which drop{"mirror", "origin", "permuted"};
+  Subject overlaps{"overlapping", "overlapping particles"}, dirichlets{"dirichlet", "Dirichlet cells"},
+      masses{"variable_mass", "variable-mass particles"}, gausses{"gauss", "Gauss-principle particles"},
+      wcsphs{"wcsph", "WCSPH", 1, of_sums};
+  overlaps.add("free blob", body, [](const Twin& t) { return overlapping(t, {}, false); });
+  overlaps.add("over a floor", layer_of_water,
+               [](const Twin& t) { return overlapping(t, {.stabilisation = 0.1}, true); });
+  dirichlets.add("free patch", body, [](const Twin& t) { return dirichlet(t, false); });
+  dirichlets.add("sloshing", layer_of_water, [](const Twin& t) { return dirichlet(t, true); });
+  using enum variable_mass::ControlKind;
+  for (const auto& [name, control, layer] : {std::tuple{"free patch", variable_mass::Control{centroid, 1, 0}, false},
+                                             {"mapped", {mapped, 1, 0.5}, true},
+                                             {"fixed in x", {fixed_x, 1, 0.5}, true}}) {
+    masses.add(name, layer ? layer_of_water : body,
+               [control = control, layer = layer](const Twin& t) { return variable(t, control, layer); });
+  }
+  using Gauss = gauss_particles::Stepping;
+  gausses.add("drop", drop, [](const Twin& t) { return gauss(t, false, Gauss::conservative); });
+  gausses.add("tank, penalty", layer_of_water, [](const Twin& t) { return gauss(t, true, Gauss::conservative); });
+  gausses.add("drop, dissipative", drop, [](const Twin& t) { return gauss(t, false, Gauss::dissipative); });
+  for (const auto& [name, settings] :
+       {std::pair{"artificial viscosity", wcsph::Settings{.viscosity = wcsph::ArtificialViscosity{0.1}}},
+        {"SPS stress, density diffusion", {.viscosity = wcsph::LaminarSps{}, .density_diffusion = 0.1}}}) {
+    wcsphs.add(name, body, [settings = settings](const Twin& t) { return sph(t, settings); });
+  }
+  return {overlaps, dirichlets, masses, gausses, wcsphs};
 }
 
 Subject shallow_particles() {
   using namespace shallow_water_particles;
-  Subject s{"particles",
-            "shallow-water particles",
-            175,
+  Subject s{"particles", "shallow-water particles", 175,
             of_sums +
-                ", of up to 300 steps 3.5 times as much; a position of a jump is a difference over its height of 1/50 "
-                "or more",
-            {}};
+                ", of up to 300 steps 3.5 times as much; a position of a jump is a difference over its height of "
+                "1/50 or more"};
   const auto add = [&](const std::string& name, const particles::Row& r, const Ends& ends, Level level, int many,
                        Which which = {}, bool rounds = false) {
-    Scheme scheme;
-    scheme.level = level;
     which.insert({"mirror", "along"});
-    s.options.push_back(
-        {name, [=](const Twin& t) { return particles::run(t, r, ends, scheme, many); }, and_units(which), rounds});
+    s.add(
+        name, which, [=](const Twin& t) { return particles::run(t, r, ends, {.level = level}, many); }, rounds);
   };
   const auto still = [](double) { return 0.8; };
   const auto supercritical = [](double) { return 3.0; };
@@ -340,15 +313,14 @@ Subject shallow_particles() {
 
 Subject finite_volumes() {
   using shallow_water_finite_volume::Scheme;
-  Subject s{"finite-volumes", "shallow water, finite volumes", 1, of_sums, {}};
+  Subject s{"finite_volumes", "shallow water, finite volumes", 1, of_sums};
   for (const Scheme scheme : {Scheme::lax_friedrichs, Scheme::mac_cormack, Scheme::roe, Scheme::muscl_hll}) {
     for (const bool inflow : {false, true}) {
       // MacCormack takes its differences to one side first.
-      Which which = and_units({"along"});
-      if (scheme != Scheme::mac_cormack) which.insert("mirror");
-      s.options.push_back({std::string(shallow_water_finite_volume::name(scheme)) + (inflow ? ", inflow" : ", walls"),
-                           [=](const Twin& t) { return volumes(t, scheme, inflow); }, which,
-                           scheme == Scheme::muscl_hll && !inflow});
+      const Which which = scheme == Scheme::mac_cormack ? Which{"along"} : Which{"along", "mirror"};
+      s.add(
+          std::string(shallow_water_finite_volume::name(scheme)) + (inflow ? ", inflow" : ", walls"), which,
+          [=](const Twin& t) { return volumes(t, scheme, inflow); }, scheme == Scheme::muscl_hll && !inflow);
     }
   }
   return s;

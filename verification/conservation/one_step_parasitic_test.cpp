@@ -6,6 +6,7 @@
 #include "seiche/samples.hpp"
 #include "validation/instruments/mechanics/rigid_chain.hpp"
 #include "verification/check.hpp"
+#include "verification/conservation/differences.hpp"
 #include "verification/refinement.hpp"
 
 namespace seiche::verification::one_step_parasitic_test {
@@ -40,8 +41,7 @@ Alternation alternation(Begin begin, double tau) {
     if (n < 4) continue;
     const auto* h = &history[history.size() - 5];
     for (std::size_t s = 0; s < state.multipliers.size(); ++s) {
-      const double middle = h[1][s] - 2 * h[2][s] + h[3][s];
-      const double outer = h[0][s] - 2 * h[2][s] + h[4][s];
+      const double middle = h[1][s] - 2 * h[2][s] + h[3][s], outer = h[0][s] - 2 * h[2][s] + h[4][s];
       result.second.add(middle / 4);
       result.fourth.add((outer - 4 * middle) / 16);
     }
@@ -54,29 +54,30 @@ class Instant {
  public:
   explicit Instant(RigidChain& chain) : chain_(chain), form_(chain), acceleration_(chain.rates()) {}
 
-  void look(const State& state) { form_.acceleration(state.time, state.q, state.u, acceleration_); }
-
-  /// A^-1 B(u, u') of the state looked at.
-  std::vector<double> jerk(const State& state) {
-    const Input curvature = form_.curvature(state.time, state.q, state.u, acceleration_);
-    std::vector<double> result(curvature.size());
-    chain_.solve(curvature, result);
-    return result;
-  }
+  /// The largest |A^-1 B(u, u')|.
+  double jerk(const State& state) { return largest_of(curvature(state)); }
 
   /// Amplitude of the alternation that the state carries: (2/tau) A^-1 (J u - w_s), w_s = (tau^2/2) B(u, u').
   double parasite(const State& state, double tau) {
-    look(state);
-    const Input curvature = form_.curvature(state.time, state.q, state.u, acceleration_);
-    std::vector<double> outside(curvature.size());
+    const Input bending = curvature(state);
+    std::vector<double> outside(bending.size());
     chain_.constraint_rates(state.u, outside);
-    for (std::size_t s = 0; s < outside.size(); ++s) outside[s] -= tau * tau / 2 * curvature[s];
-    std::vector<double> amplitude(outside.size());
-    chain_.solve(outside, amplitude);
-    return 2 / tau * worst(amplitude);
+    for (std::size_t s = 0; s < outside.size(); ++s) outside[s] -= tau * tau / 2 * bending[s];
+    return 2 / tau * largest_of(outside);
   }
 
  private:
+  Input curvature(const State& state) {
+    form_.acceleration(state.time, state.q, state.u, acceleration_);
+    return form_.curvature(state.time, state.q, state.u, acceleration_);
+  }
+  /// Of A^-1 times a right-hand side.
+  double largest_of(Input right_hand_side) {
+    std::vector<double> solution(right_hand_side.size());
+    chain_.solve(right_hand_side, solution);
+    return worst(solution);
+  }
+
   RigidChain& chain_;
   IndexReduced<RigidChain> form_;
   std::vector<double> acceleration_;
@@ -96,11 +97,7 @@ constexpr long between_copies = 50;  // of the state, in steps
 
 /// Largest change of a multiplier in the last step.
 double jump_of(const State& state) {
-  Worst jump;
-  for (std::size_t s = 0; s < state.multipliers.size(); ++s) {
-    jump.add(state.multipliers[s] - state.earlier_multipliers[s]);
-  }
-  return jump.value();
+  return largest_difference(state.multipliers, state.earlier_multipliers);
 }
 
 /// The largest jump over the next 1.5 units of time with steps tau.
@@ -125,12 +122,10 @@ LongRun free_chain_run(long every, long steps, double tau) {
     Start(chain).project_to_smooth(state, tau);
   }
   OneStep<RigidChain> scheme(chain);
-  Start<RigidChain> start(chain);
   Instant instant(chain);
   InvariantsWatch watch(chain, state);
   LongRun run;
-  State copy = state;
-  State older = state;
+  State copy = state, older = state;
   for (long n = 1; n <= steps; ++n) {
     if (n % between_copies == 0) {
       older = std::move(copy);
@@ -148,7 +143,7 @@ LongRun free_chain_run(long every, long steps, double tau) {
       run.parasite.push_back(instant.parasite(state, tau));
       run.scales.include(scales_of(chain, state));
     }
-    if (cured && n % every == 0) start.project_to_smooth(state, tau);
+    if (cured && n % every == 0) Start(chain).project_to_smooth(state, tau);
     if (n % 1000 == 0) watch.record(state);
   }
   run.momentum = watch.ledger().largest_defect("momentum");
@@ -157,21 +152,16 @@ LongRun free_chain_run(long every, long steps, double tau) {
 
 /// Mean logarithm of `b` less that of `a` in standard errors, for samples that are far apart in time.
 double growth(Input a, Input b) {
-  struct Logarithms {
-    double mean = 0, variance_of_mean = 0;
-  };
   const auto logarithms = [](Input values) {
     const auto count = static_cast<double>(values.size());
-    Logarithms result;
-    for (const double v : values) result.mean += std::log(v) / count;
-    for (const double v : values) {
-      result.variance_of_mean += std::pow(std::log(v) - result.mean, 2) / (count * (count - 1));
-    }
-    return result;
+    double mean = 0, variance_of_mean = 0;
+    for (const double v : values) mean += std::log(v) / count;
+    for (const double v : values) variance_of_mean += std::pow(std::log(v) - mean, 2) / (count * (count - 1));
+    return std::pair{mean, variance_of_mean};
   };
-  const Logarithms of_a = logarithms(a);
-  const Logarithms of_b = logarithms(b);
-  return (of_b.mean - of_a.mean) / std::sqrt(of_a.variance_of_mean + of_b.variance_of_mean);
+  const auto [mean_a, variance_a] = logarithms(a);
+  const auto [mean_b, variance_b] = logarithms(b);
+  return (mean_b - mean_a) / std::sqrt(variance_a + variance_b);
 }
 
 TEST_CASE("the corrected start leaves a third-order alternation", "[conservation]") {
@@ -204,13 +194,11 @@ TEST_CASE("the corrected start leaves a third-order alternation", "[conservation
              });
   auto chain = free_chain();
   const State start = spiral_start(chain);
-  Instant instant(chain);
-  instant.look(start);
   constexpr double tau = 0.001;
   check.that(
       "amplitude", "The amplitude agrees with tau A^-1 B(u, u').",
       "amplitude / (tau max |A^-1 B(u, u')|) at tau = 0.001",
-      {.value = amplitudes[0].back() / (tau * worst(instant.jerk(start))), .resolution = "tau = 0.001"},
+      {.value = amplitudes[0].back() / (tau * Instant(chain).jerk(start)), .resolution = "tau = 0.001"},
       Bound{10 * tau, "taken over the first twelve steps, in which A and B change by some tau of themselves each", 1});
 }
 
@@ -224,8 +212,8 @@ TEST_CASE("reprojection cures the parasitic mode of very long runs", "[conservat
       "one step of 23: that is the motion, $\\tau\\dot\\lambda$. With a sixteenth of the step the largest is a "
       "sixteenth.",
       source);
-  const double tau = 0.01;
-  const long steps = 1000000;
+  constexpr double tau = 0.01;
+  constexpr long steps = 1000000;
   const LongRun wild = free_chain_run(0, steps, tau);
   const LongRun cured = free_chain_run(1000, steps, tau);
   check.at("tau = 0.01, 1e6 steps");

@@ -1,7 +1,9 @@
 // What the particle method keeps for ever: mass, length, momentum minus booked impulses, a lake at rest and a steady
 // flow that passes fixed sections; and long rows, which a step goes through stretch by stretch, on threads.
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <span>
 #include <string>
 
 #include <fmt/format.h>
@@ -12,6 +14,8 @@
 #include "seiche/samples.hpp"
 #include "validation/instruments/error_measures.hpp"
 #include "verification/check.hpp"
+#include "verification/conservation/differences.hpp"
+#include "verification/conservation/long_rows.hpp"
 #include "verification/refinement.hpp"
 
 namespace seiche::verification::particles_books_test {
@@ -64,11 +68,9 @@ TEST_CASE("every force on the water is recorded in the ledger", "[conservation]"
               "A dam break between walls over a wavy bed, with friction and a body force: momentum is the sum of the "
               "impulses of the two walls, the bed, friction and the body force.",
               source);
-  Forcing forcing;
-  forcing.bed = Bed{[](double x) { return 0.1 * std::cos(x); }, [](double x) { return 0.1 * std::sin(x); }};
-  forcing.manning = 0.05;
-  forcing.body_force = [](double x, double t) { return 0.5 + 0.3 * std::sin(x + t); };
-  ParticleFlow flow(dam_break(0, 4, 10, {2, 0}, {1, 0}, 100), {}, forcing);
+  const Bed wavy{[](double x) { return 0.1 * std::cos(x); }, [](double x) { return 0.1 * std::sin(x); }};
+  const auto pull = [](double x, double t) { return 0.5 + 0.3 * std::sin(x + t); };
+  ParticleFlow flow(dam_break(0, 4, 10, {2, 0}, {1, 0}, 100), {}, {.bed = wavy, .manning = 0.05, .body_force = pull});
   constexpr int count = 200;
   for (int k = 0; k < count; ++k) flow.advance(0.004);
   const Ledger& ledger = flow.ledger();
@@ -99,16 +101,12 @@ TEST_CASE("a lake over an uneven bed stays at rest", "[conservation]") {
     const double raised = bed.primitive(edges[i + 1]) - bed.primitive(edges[i]);
     start.mass.push_back(0.8 * (edges[i + 1] - edges[i]) - raised);
   }
-  Forcing forcing;
-  forcing.bed = bed;
-  ParticleFlow flow(start, {}, forcing);
+  ParticleFlow flow(start, {}, {.bed = bed});
   Worst fastest;
   for (int k = 0; k < 10000; ++k) {
     flow.advance(0.005);
-    for (const double u : flow.particles().velocity) fastest.add(u);
+    fastest.add(worst(flow.particles().velocity));
   }
-  Worst drift;
-  for (std::size_t k = 0; k < edges.size(); ++k) drift.add(flow.particles().edge[k] - edges[k]);
   // The mean bed of a particle is a difference of primitives of size 8 over a width of 0.05: 2e-14 of surface, and
   // g times its slope (over the width) times the step is the velocity that starts.
   check.at("N = 200, tau = 0.005 s, 1e4 steps");
@@ -116,19 +114,12 @@ TEST_CASE("a lake over an uneven bed stays at rest", "[conservation]") {
              {fastest.value()},
              Roundoff{1e4, 2.8, "one rounded balance of thrusts and bed per step; scale is the celerity"});
   check.that("drift", "The displacement of particle edges of the lake at rest is zero to round-off.",
-             "largest displacement [m]", {drift.value()},
+             "largest displacement [m]", {largest_difference(flow.particles().edge, edges)},
              Roundoff{1e4, 10, "one rounded displacement per step; scale is position"});
   check.from(source).that("momentum", "Momentum equals the booked impulses of ends and bed.", "momentum error [m^3/s]",
                           {flow.momentum_defect()},
                           Roundoff{1e4, 3.1 * 0.005 * 200,
                                    "one rounded sum of 200 reactions per step; scale is thrust times step times 200"});
-}
-
-Open prescribed(std::optional<double> discharge, std::optional<double> depth) {
-  Open open;
-  if (discharge) open.discharge = [q = *discharge](double) { return q; };
-  if (depth) open.depth = [h = *depth](double) { return h; };
-  return open;
 }
 
 TEST_CASE("steady subcritical flow over a bump between open sections", "[conservation]") {
@@ -143,9 +134,8 @@ TEST_CASE("steady subcritical flow over a bump between open sections", "[conserv
     const Particles start = particles_from_profile(
         equal_width_edges(0, 25, count), [&](double x) { return exact.at(x).depth; },
         [&](double x) { return exact.at(x).velocity; });
-    Forcing forcing;
-    forcing.bed = exact.bed();
-    ParticleFlow flow(start, {prescribed(4.42, {}), prescribed({}, 2)}, forcing);
+    const Open inflow{.discharge = [](double) { return 4.42; }}, outflow{.depth = [](double) { return 2.0; }};
+    ParticleFlow flow(start, {inflow, outflow}, {.bed = exact.bed()});
     march(flow, 40);
     const auto error = cell_error(
         flow.measured_profile(), [&](double x) { return exact.at(x); }, exact.breakpoints());
@@ -174,42 +164,22 @@ TEST_CASE("steady subcritical flow over a bump between open sections", "[conserv
 
 constexpr long steps = 6;  // of rows and pieces of them
 
-/// Ripples as long as a few particles, over the particles [begin, end) of a longer row one metre apart.
-Particles ripples(std::size_t begin, std::size_t end) {
-  Particles row;
-  for (std::size_t k = begin; k <= end; ++k) row.edge.push_back(static_cast<double>(k));
-  for (std::size_t i = begin; i < end; ++i) {
-    const auto x = static_cast<double>(i);
-    row.mass.push_back(1.5 + 0.01 * std::sin(x / 7));
-    row.velocity.push_back(0.02 * std::cos(x / 5));
-  }
-  return row;
-}
-
-ParticleFlow water(Level level, std::size_t begin, std::size_t end) {
-  Scheme scheme;
-  scheme.level = level;
-  return ParticleFlow(ripples(begin, end), {}, {}, scheme);
-}
-
 /// Of the particles that no end of the piece has reached, and of the limits of their steps.
 double differing(Level level) {
-  constexpr std::size_t begin = 1500;
-  constexpr std::size_t count = 1500;
-  constexpr std::size_t out_of_reach = 3 * steps;
-  ParticleFlow longer = water(level, 0, 5000);
-  ParticleFlow piece = water(level, begin, begin + count);
+  constexpr std::size_t begin = 1500, count = 1500, out_of_reach = 3 * steps;
+  ParticleFlow longer(ripples(0, 5000), {}, {}, {.level = level});
+  ParticleFlow piece(ripples(begin, begin + count), {}, {}, {.level = level});
   const double tau = 0.5 * longer.largest_step().tau;
   for (long k = 0; k < steps; ++k) {
     longer.advance(tau);
     piece.advance(tau);
   }
-  Worst differing;
-  for (std::size_t i = out_of_reach; i < count - out_of_reach; ++i) {
-    differing.add(longer.particles().edge[begin + i] - piece.particles().edge[i]);
-    differing.add(longer.particles().velocity[begin + i] - piece.particles().velocity[i]);
-  }
-  return differing.value();
+  const auto apart = [&](const Array& of_longer, const Array& of_piece) {
+    return largest_difference(std::span(of_longer).subspan(begin + out_of_reach, count - 2 * out_of_reach),
+                              std::span(of_piece).subspan(out_of_reach));
+  };
+  return worst(std::array{apart(longer.particles().edge, piece.particles().edge),
+                          apart(longer.particles().velocity, piece.particles().velocity)});
 }
 
 TEST_CASE("results of a row of shallow-water particles do not depend on its division into stretches",

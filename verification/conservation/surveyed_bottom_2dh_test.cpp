@@ -41,8 +41,7 @@ Course follow(
 }
 
 constexpr double begin = 400;  // of the water
-constexpr double length = 10;
-constexpr double width = 6;
+constexpr double length = 10, width = 6;
 constexpr int steps = 60;
 
 /// A hump at one end, next to nothing moves at the other for a while; between 0.5 and 1 deep, the bottom through

@@ -25,6 +25,7 @@
 #include "seiche/models/wcsph/flow.hpp"
 #include "seiche/models/wcsph/scene.hpp"
 #include "verification/check.hpp"
+#include "verification/conservation/long_rows.hpp"
 #include "verification/message_of.hpp"
 #include "verification/polynomial_bottom.hpp"
 
@@ -95,30 +96,21 @@ double hump(double x, double y, double at, double across, double steepness) {
 void plan(Check& check, Stepping stepping) {
   using namespace dispersive_shallow_water_2d;
   constexpr std::size_t rows = 241, columns = linear::worth_threads / rows + 20;
-  same_for_threads(
-      check, "Dispersive 2DH, " + name_of(stepping),
-      [&](int count) {
-        Flow flow(rectangular_lattice({.end = 0.5 * columns,
-                                       .north = 0.5 * rows,
-                                       .columns = columns,
-                                       .rows = rows,
-                                       .elevation = [](double x, double y) { return 0.3 * hump(x, y, 9, 80, 0.02); }}),
-                  {}, {.stepping = stepping}, {.tolerance = 1e-7});
-        return stepped(std::move(flow), count, stepping == Stepping::one_step ? 10 : 2, 0.2);
-      },
-      {2});
+  Rectangle water{.end = 0.5 * columns, .north = 0.5 * rows, .columns = columns, .rows = rows};
+  water.elevation = [](double x, double y) { return 0.3 * hump(x, y, 9, 80, 0.02); };
+  const auto run = [&](int count) {
+    Flow flow(rectangular_lattice(water), {}, {.stepping = stepping}, {.tolerance = 1e-7});
+    return stepped(std::move(flow), count, stepping == Stepping::one_step ? 10 : 2, 0.2);
+  };
+  same_for_threads(check, "Dispersive 2DH, " + name_of(stepping), run, {2});
 }
 
 void hexahedra(Check& check, Stepping stepping) {
   using namespace lagrangian_mesh_3d;
   constexpr std::size_t rows = 60, columns = linear::worth_threads / (2 * rows) + 20;
-  const Layer layer{.end = 0.5 * columns,
-                    .north = 0.5 * rows,
-                    .columns = columns,
-                    .rows = rows,
-                    .layers = 2,
-                    .elevation = [](double x, double y) { return 0.2 * hump(x, y, 5, 12, 0.05); },
-                    .bottom = polynomial_bottom({{-1, 0, 0}, {1e-4, 1, 0}})};
+  Layer layer{.end = 0.5 * columns, .north = 0.5 * rows, .columns = columns, .rows = rows, .layers = 2};
+  layer.elevation = [](double x, double y) { return 0.2 * hump(x, y, 5, 12, 0.05); };
+  layer.bottom = polynomial_bottom({{-1, 0, 0}, {1e-4, 1, 0}});
   same_for_threads(check, "Hexahedra, " + name_of(stepping), [&](int count) {
     return stepped(Flow(layer_mesh(layer), {}, {.stepping = stepping}, {.tolerance = 1e-7}), count, 3, 0.2);
   });
@@ -130,22 +122,17 @@ void quadrilaterals(Check& check, Stepping stepping) {
   const double length = static_cast<double>(columns) / rows;
   // On so fine a mesh a direct solver rounds more than sweeps wait for.
   const int sweeps = stepping == Stepping::conservative ? 4 : 0;
-  for (const auto method : {linear::SolverMethod::banded, linear::SolverMethod::iterative}) {
-    same_for_threads(
-        check,
-        fmt::format("Lagrangian mesh, {}, {} solver", name_of(stepping),
-                    method == linear::SolverMethod::banded ? "banded" : "iterative"),
-        [&](int) {
-          Flow flow(
-              layer_mesh({.end = length,
-                          .columns = columns,
-                          .rows = rows,
-                          .elevation = [length](double x) { return 0.25 * std::cos(std::acos(-1.0) * x / length); }}),
-              {}, {.stepping = stepping, .fixed_sweeps = sweeps}, {.solver = method, .tolerance = 1e-10});
-          for (int n = 0; n < 3; ++n) flow.advance(0.5 * flow.stable_step());
-          return numbers(flow.state());
-        },
-        {2});
+  const auto wave = [length](double x) { return 0.25 * std::cos(std::acos(-1.0) * x / length); };
+  const Layer layer{.end = length, .columns = columns, .rows = rows, .elevation = wave};
+  for (const auto& [name, method] :
+       {std::pair{"banded", linear::SolverMethod::banded}, {"iterative", linear::SolverMethod::iterative}}) {
+    const auto run = [&, solver = method](int) {
+      Flow flow(layer_mesh(layer), {}, {.stepping = stepping, .fixed_sweeps = sweeps},
+                {.solver = solver, .tolerance = 1e-10});
+      for (int n = 0; n < 3; ++n) flow.advance(0.5 * flow.stable_step());
+      return numbers(flow.state());
+    };
+    same_for_threads(check, fmt::format("Lagrangian mesh, {}, {} solver", name_of(stepping), name), run, {2});
   }
 }
 
@@ -153,8 +140,8 @@ void drop(Check& check) {
   using namespace gauss_particles;
   same_for_threads(check, "Gauss-principle particles", [](int) {
     const auto vortical = [](Point r) {
-      return Point{-0.45 * std::sin(2 * r.x) * std::sin(1.5 * r.y) + 0.3,
-                   -0.6 * std::cos(2 * r.x) * std::cos(1.5 * r.y)};
+      const double along = 2 * r.x, up = 1.5 * r.y;
+      return Point{-0.45 * std::sin(along) * std::sin(up) + 0.3, -0.6 * std::cos(along) * std::cos(up)};
     };
     Flow flow(disc(1, 220), std::make_unique<SplineSpace>(LatticePlan{.cell_x = 0.04}), vortical,
               {.gravity = 1, .penalty = 0.01});
@@ -166,14 +153,15 @@ void drop(Check& check) {
 void particles_of_sph(Check& check) {
   using namespace wcsph;
   const Settings plain{.sound_speed = 15, .viscosity = ArtificialViscosity{0.3}, .filter_every = 20};
-  std::vector<std::pair<std::string, Settings>> runs{
-      {"artificial viscosity, filter", plain}, {"sub-particle-scale stress", plain}, {"options", plain}};
-  runs[1].second.viscosity = LaminarSps{};
-  runs[2].second.density_diffusion = 0.1;
-  runs[2].second.walls = WallPressure::extrapolated;
-  runs[2].second.particle_shifting = true;
+  Settings stressed = plain, options = plain;
+  stressed.viscosity = LaminarSps{};
+  options.density_diffusion = 0.1;
+  options.walls = WallPressure::extrapolated;
+  options.particle_shifting = true;
   constexpr double a = 0.057;
-  for (const auto& [name, settings] : runs) {
+  for (const auto& [name, settings] : {std::pair{std::string("artificial viscosity, filter"), plain},
+                                       {"sub-particle-scale stress", stressed},
+                                       {"options", options}}) {
     const Scene scene = dam_break(
         {.width = a, .height = 2 * a, .tank_length = 4 * a, .wall_height = 3.5 * a, .spacing = a / 16}, settings);
     same_for_threads(check, "WCSPH, " + name, [&scene = scene, &settings = settings](int) {
@@ -187,19 +175,9 @@ void particles_of_sph(Check& check) {
 
 void volumes(Check& check) {
   using namespace shallow_water_finite_volume;
-  constexpr std::size_t cells = 140000;
-  Numbers depth, discharge;
-  for (std::size_t i = 0; i < cells; ++i) {
-    const auto x = static_cast<double>(i);
-    depth.push_back(1.5 + 0.2 * std::sin(x / 7) + (i < 2500 ? 0.5 : 0));
-    discharge.push_back(0.3 * std::cos(x / 5));
-  }
-  constexpr double slope = 1.0 / 4096;
-  const Bed bed{[](double x) { return slope * x; }, [](double x) { return slope * x * x / 2; }};
   for (const Scheme scheme : {Scheme::lax_friedrichs, Scheme::mac_cormack, Scheme::roe, Scheme::muscl_hll}) {
     same_for_threads(check, "Finite volumes, " + std::string(name(scheme)), [&](int) {
-      FiniteVolumeFlow flow({.scheme = scheme, .manning = 0.02}, 0, cells, depth, discharge,
-                            scheme == Scheme::muscl_hll ? std::optional(bed) : std::nullopt);
+      FiniteVolumeFlow flow = long_channel(scheme, 0, 140000);
       for (int k = 0; k < 5; ++k) flow.advance(0.05);
       const auto books = flow.ledger();
       return joined(flow.depth(), flow.discharge(),
@@ -213,21 +191,14 @@ void volumes(Check& check) {
 void row_of_particles(Check& check) {
   using namespace shallow_water_particles;
   constexpr std::size_t many = 140000;
-  Particles ripples;
-  for (std::size_t k = 0; k <= many; ++k) ripples.edge.push_back(static_cast<double>(k));
-  for (std::size_t i = 0; i < many; ++i) {
-    ripples.mass.push_back(1.5 + 0.01 * std::sin(static_cast<double>(i) / 7));
-    ripples.velocity.push_back(0.02 * std::cos(static_cast<double>(i) / 5));
-  }
   const Ends piston{.left = Piston{[](double time) { return 0.2 * time; }}, .right = Vacuum{}};
   for (const auto& [level, name] :
        {std::pair{Level::godunov, "G1"}, std::pair{Level::muscl, "M2"}, std::pair{Level::hand_over, "H2"}}) {
     for (const bool dam : {false, true}) {
-      Scheme scheme;
-      scheme.level = level;
+      const Scheme scheme{.level = level};
       same_for_threads(check, fmt::format("Shallow-water particles, {}, {}", name, dam ? "dam" : "ripples"), [&](int) {
-        ParticleFlow flow(dam ? dam_break(0, 0.4, 1, {1, 0}, {0.5, 0}, many) : ripples, dam ? piston : Ends{}, {},
-                          scheme);
+        ParticleFlow flow(dam ? dam_break(0, 0.4, 1, {1, 0}, {0.5, 0}, many) : ripples(0, many), dam ? piston : Ends{},
+                          {}, scheme);
         const double tau = 0.2 * flow.largest_step().tau;
         for (int k = 0; k < 6; ++k) flow.advance(tau);
         const StepLimit limit = flow.largest_step();

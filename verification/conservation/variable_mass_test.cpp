@@ -17,18 +17,13 @@ using namespace variable_mass;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), section 5.3";
 
-std::vector<double> copied(std::span<const double> values) {
-  return {values.begin(), values.end()};
-}
-
 TEST_CASE("masses exchanged between moving bodies leave mass, momentum and kinetic energy alone", "[conservation]") {
   Check check("variable_mass_exchanges", "Finite exchanges of mass are neutral",
               "64 bodies of masses between 1 and 3 and random velocities exchange masses, up to a tenth of their own, "
               "in a thousand rounds of 100 exchanges. Velocities change by the convective term alone.",
               source);
   Noise noise(7);
-  constexpr std::size_t n = 64;
-  constexpr int rounds = 1000;
+  constexpr std::size_t n = 64, rounds = 1000;
   std::vector<double> mass, u;
   for (std::size_t k = 0; k < n; ++k) mass.push_back(2 + noise());
   for (std::size_t k = 0; k < 2 * n; ++k) u.push_back(noise());
@@ -45,16 +40,15 @@ TEST_CASE("masses exchanged between moving bodies leave mass, momentum and kinet
   };
   const auto first = sums();
   Convection convection;
-  std::vector<double> mean = u;
-  std::vector<double> next;
+  std::vector<double> mean = u, next;
   Worst handed_on;
-  for (int round = 0; round < rounds; ++round) {
+  for (std::size_t round = 0; round < rounds; ++round) {
     std::vector<Exchange> exchanges;
     for (int e = 0; e < 100; ++e) {
-      const auto i = static_cast<int>(n * 0.5 * (noise() + 1)) % static_cast<int>(n);
-      const auto j = static_cast<int>(n * 0.5 * (noise() + 1)) % static_cast<int>(n);
-      const double least = std::min(mass[static_cast<std::size_t>(i)], mass[static_cast<std::size_t>(j)]);
-      if (i != j) exchanges.push_back({i, j, 0.1 * least * noise()});
+      const auto i = static_cast<std::size_t>(n * 0.5 * (noise() + 1)) % n;
+      const auto j = static_cast<std::size_t>(n * 0.5 * (noise() + 1)) % n;
+      const double least = std::min(mass[i], mass[j]);
+      if (i != j) exchanges.push_back({static_cast<int>(i), static_cast<int>(j), 0.1 * least * noise()});
     }
     convection.begin(mass, exchanges, {zeros, zeros});
     const auto respond = [&](std::span<double> momenta) {
@@ -64,7 +58,7 @@ TEST_CASE("masses exchanged between moving bodies leave mass, momentum and kinet
     convection.finish(u, mean, next);
     for (std::size_t k = 0; k < n; ++k) handed_on.add(convection.next_masses()[k] / mass[k] - 1);
     u = next;
-    mass = copied(convection.next_masses());
+    mass.assign(convection.next_masses().begin(), convection.next_masses().end());
   }
   const auto last = sums();
   const auto keeps = [&](const std::string& text, double defect, double scale) {

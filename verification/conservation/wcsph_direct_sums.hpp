@@ -92,14 +92,13 @@ class DirectSums {
   /// unchanged where fewer than 3 do, or where the new value is outside [0.9, 1.1] rho_0.
   [[nodiscard]] std::vector<double> filtered_density() const {
     std::vector<double> result = p_.density;
-    for (std::size_t a = 0; a < p_.size(); ++a) {
-      if (!fluid(a)) continue;
+    for_fluid([&](std::size_t a) {
       const FilterSums sums = filter_sums(a);
-      if (sums.neighbours < 3) continue;
+      if (sums.neighbours < 3) return;
       const double value =
           sums.regular ? sums.beta().dot(sums.mass_moments) : sums.mass_moments(0) / sums.moments(0, 0);
       if (std::abs(value / settings_.density - 1) <= 0.1) result[a] = value;
-    }
+    });
     return result;
   }
 
@@ -107,18 +106,17 @@ class DirectSums {
   /// sum without magnitudes being 1.
   [[nodiscard]] double filter_cancellation() const {
     Largest largest;
-    for (std::size_t a = 0; a < p_.size(); ++a) {
-      if (!fluid(a)) continue;
+    for_fluid([&](std::size_t a) {
       const FilterSums sums = filter_sums(a);
-      if (!sums.regular) continue;
+      if (!sums.regular) return;
       const Eigen::Vector3d beta = sums.beta().cwiseAbs();
       double magnitudes = beta(0) * p_.mass[a] / p_.density[a] * weight(0, smoothing_[a]);
       neighbours(a, [&](std::size_t b, const Pair& pair) {
         const Eigen::Vector3d basis(1, std::abs(pair.r.x()), std::abs(pair.r.y()));
-        magnitudes += p_.mass[b] / p_.density[b] * pair.weight * beta.dot(basis);
+        magnitudes += volume(b) * pair.weight * beta.dot(basis);
       });
       largest.add(magnitudes);
-    }
+    });
     return largest.value();
   }
 
@@ -128,28 +126,23 @@ class DirectSums {
   [[nodiscard]] wcsph::Particles shifted(double tau) const {
     std::vector<double> divergence(p_.size(), 2.0);
     Largest fastest;
-    for (std::size_t a = 0; a < p_.size(); ++a) {
-      if (!fluid(a)) continue;
+    for_fluid([&](std::size_t a) {
       fastest.add(velocity(a).norm());
       divergence[a] = 0;
-      neighbours(a, [&](std::size_t b, const Pair& pair) {
-        divergence[a] -= p_.mass[b] / p_.density[b] * pair.r.dot(pair.gradient);
-      });
-    }
+      neighbours(a, [&](std::size_t b, const Pair& pair) { divergence[a] -= volume(b) * pair.r.dot(pair.gradient); });
+    });
     wcsph::Particles result = p_;
-    for (std::size_t a = 0; a < p_.size(); ++a) {
+    for_fluid([&](std::size_t a) {
       bool surface = divergence[a] < 1.5;
-      Vector crowd = Vector::Zero();
-      Vector density = Vector::Zero();
+      Vector crowd = Vector::Zero(), density = Vector::Zero();
       Matrix flow = Matrix::Zero();
       neighbours(a, [&](std::size_t b, const Pair& pair) {
         surface = surface || divergence[b] < 1.5;
-        const double volume = p_.mass[b] / p_.density[b];
-        crowd += volume * (1 + 0.2 * std::pow(pair.weight / weight(spacing_, smoothing_[a]), 4)) * pair.gradient;
-        flow += volume * (velocity(b) - velocity(a)) * pair.gradient.transpose();
-        density += volume * (p_.density[b] - p_.density[a]) * pair.gradient;
+        crowd += volume(b) * (1 + 0.2 * std::pow(pair.weight / weight(spacing_, smoothing_[a]), 4)) * pair.gradient;
+        flow += volume(b) * (velocity(b) - velocity(a)) * pair.gradient.transpose();
+        density += volume(b) * (p_.density[b] - p_.density[a]) * pair.gradient;
       });
-      if (!fluid(a) || surface) continue;
+      if (surface) return;
       Vector shift = -4 * smoothing_[a] * fastest.value() * tau * crowd;
       if (shift.norm() > 0.1 * spacing_) shift *= 0.1 * spacing_ / shift.norm();
       const Vector change = flow * shift;
@@ -158,7 +151,7 @@ class DirectSums {
       result.u[a] += change.x();
       result.w[a] += change.y();
       result.density[a] += density.dot(shift);
-    }
+    });
     return result;
   }
 
@@ -211,9 +204,7 @@ class DirectSums {
 
   /// Pressures, sound speeds and smoothing lengths from densities (5).
   void derive() {
-    pressure_.clear();
-    sound_speed_.clear();
-    smoothing_.clear();
+    for (auto* array : {&pressure_, &sound_speed_, &smoothing_}) array->clear();
     for (std::size_t a = 0; a < p_.size(); ++a) {
       const double s = p_.density[a] / settings_.density;
       const double pressure = stiffness() * (std::pow(s, wcsph::TaitFluid::exponent) - 1);
@@ -241,6 +232,13 @@ class DirectSums {
   }
 
   [[nodiscard]] bool fluid(std::size_t a) const { return p_.kind[a] == wcsph::Kind::fluid; }
+  template <class Visit>
+  void for_fluid(const Visit& visit) const {
+    for (std::size_t a = 0; a < p_.size(); ++a) {
+      if (fluid(a)) visit(a);
+    }
+  }
+  [[nodiscard]] double volume(std::size_t a) const { return p_.mass[a] / p_.density[a]; }
   [[nodiscard]] Vector velocity(std::size_t a) const { return {p_.u[a], p_.w[a]}; }
   [[nodiscard]] double mean_density(std::size_t a, std::size_t b) const {
     return 0.5 * (p_.density[a] + p_.density[b]);
@@ -297,18 +295,17 @@ class DirectSums {
     std::vector<Matrix> stress(p_.size(), Matrix::Zero());
     const auto* const model = std::get_if<wcsph::LaminarSps>(&settings_.viscosity);
     if (model == nullptr) return stress;
-    for (std::size_t a = 0; a < p_.size(); ++a) {
-      if (!fluid(a)) continue;
+    for_fluid([&](std::size_t a) {
       Matrix gradient = Matrix::Zero();
       neighbours(a, [&](std::size_t b, const Pair& pair) {
-        gradient -= p_.mass[b] / p_.density[b] * (velocity(a) - velocity(b)) * pair.gradient.transpose();
+        gradient -= volume(b) * (velocity(a) - velocity(b)) * pair.gradient.transpose();
       });
       const Matrix strain = 0.5 * (gradient + gradient.transpose());
       const double size = std::sqrt(2 * strain.squaredNorm());
       const double viscosity = std::pow(model->smagorinsky * spacing_, 2) * size;
       stress[a] = 2 * viscosity * (strain - strain.trace() / 3 * Matrix::Identity()) -
                   2.0 / 3 * model->isotropic * spacing_ * spacing_ * size * size * Matrix::Identity();
-    }
+    });
     return stress;
   }
 
@@ -317,18 +314,16 @@ class DirectSums {
   [[nodiscard]] std::vector<Vector> density_gradient() const {
     std::vector<Vector> result(p_.size(), Vector::Zero());
     if (settings_.density_diffusion == 0) return result;
-    for (std::size_t a = 0; a < p_.size(); ++a) {
-      if (!fluid(a)) continue;
+    for_fluid([&](std::size_t a) {
       Matrix moments = Matrix::Zero();
       Vector sum = Vector::Zero();
       neighbours(a, [&](std::size_t b, const Pair& pair) {
         if (!fluid(b)) return;
-        const double volume = p_.mass[b] / p_.density[b];
-        moments -= volume * pair.gradient * pair.r.transpose();
-        sum += volume * (p_.density[b] - p_.density[a]) * pair.gradient;
+        moments -= volume(b) * pair.gradient * pair.r.transpose();
+        sum += volume(b) * (p_.density[b] - p_.density[a]) * pair.gradient;
       });
       if (moments.determinant() >= 1e-2) result[a] = moments.inverse() * sum;
-    }
+    });
     return result;
   }
 

@@ -24,20 +24,6 @@ struct CellColumn {
   double inertia = 1;  ///< factor of the vertical inertia of surface nodes
 };
 
-class BlochWave {
- public:
-  explicit BlochWave(const CellColumn& column);
-
-  /// Squares of the frequencies of all motions with the wavenumber (kx, ky), ascending [1/s^2].
-  [[nodiscard]] Eigen::VectorXd squared_frequencies(double kx, double ky) const;
-
- private:
-  CellColumn column_;
-  Eigen::VectorXd rest_;
-  Eigen::MatrixXd gradient_;
-  Eigen::MatrixXd hessian_;
-};
-
 namespace cell_column {
 
 inline constexpr std::array<double, 2> gauss{0.21132486540518711775, 0.78867513459481288225};  // weights 1/2
@@ -54,10 +40,9 @@ inline double cell_height(const CellColumn& column) {
 inline Eigen::VectorXd at_rest(const CellColumn& column) {
   Eigen::VectorXd q(12 * levels(column));
   for (Eigen::Index node = 0; node < q.size() / 3; ++node) {
-    const Eigen::Index corner = node % 4;
+    const Eigen::Index corner = node % 4, level = node / 4;
     q[3 * node] = (corner == 1 || corner == 2 ? 0.5 : -0.5) * column.hx;
     q[3 * node + 1] = (corner >= 2 ? 0.5 : -0.5) * column.hy;
-    const std::size_t level = node / 4;
     q[3 * node + 2] = column.layers == 0 ? column.depth : cell_height(column) * static_cast<double>(level);
   }
   return q;
@@ -91,11 +76,9 @@ inline double hexahedron(const Eigen::VectorXd& q, Eigen::Index layer) {
   double sum = 0;
   for (const double xi : gauss) {
     for (const double eta : gauss) {
-      const Patch below = patch(q, layer, xi, eta);
-      const Patch above = patch(q, layer + 1, xi, eta);
+      const Patch below = patch(q, layer, xi, eta), above = patch(q, layer + 1, xi, eta);
       for (const double s : gauss) {
-        const Eigen::Vector3d along = (1 - s) * below.xi + s * above.xi;
-        const Eigen::Vector3d across = (1 - s) * below.eta + s * above.eta;
+        const Eigen::Vector3d along = (1 - s) * below.xi + s * above.xi, across = (1 - s) * below.eta + s * above.eta;
         sum += 0.125 * along.cross(across).dot(above.place - below.place);
       }
     }
@@ -137,29 +120,39 @@ inline Eigen::MatrixXd on_bottom(const CellColumn& column, const Eigen::MatrixXd
 
 }  // namespace cell_column
 
-inline BlochWave::BlochWave(const CellColumn& column) : column_(column), rest_(cell_column::at_rest(column)) {
-  const Eigen::Index size = rest_.size();
-  gradient_.resize(cell_column::volumes(column, rest_).size(), size);
-  hessian_.resize(size, size);
-  constexpr double d = 0.25;
-  const auto moved = [&](Eigen::Index i, double by_i, Eigen::Index j, double by_j) {
-    Eigen::VectorXd q = rest_;
-    q[i] += by_i;
-    q[j] += by_j;
-    return q;
-  };
-  const auto energy = [&](const Eigen::VectorXd& q) { return cell_column::excess(column_, q); };
-  for (Eigen::Index i = 0; i < size; ++i) {
-    gradient_.col(i) =
-        (cell_column::volumes(column, moved(i, d, i, 0)) - cell_column::volumes(column, moved(i, -d, i, 0))) / (2 * d);
-    for (Eigen::Index j = 0; j <= i; ++j) {
-      const double second = energy(moved(i, d, j, d)) - energy(moved(i, d, j, -d)) - energy(moved(i, -d, j, d)) +
-                            energy(moved(i, -d, j, -d));
-      hessian_(i, j) = second / (4 * d * d);
-      hessian_(j, i) = hessian_(i, j);
+class BlochWave {
+ public:
+  explicit BlochWave(const CellColumn& column) : column_(column), rest_(cell_column::at_rest(column)) {
+    constexpr double d = 0.25;
+    const auto moved = [&](Eigen::Index i, double by_i, Eigen::Index j, double by_j) {
+      Eigen::VectorXd q = rest_;
+      q[i] += by_i;
+      q[j] += by_j;
+      return q;
+    };
+    const auto volumes = [&](Eigen::Index i, double by) { return cell_column::volumes(column_, moved(i, by, i, 0)); };
+    gradient_.resize(cell_column::volumes(column, rest_).size(), rest_.size());
+    hessian_.resize(rest_.size(), rest_.size());
+    for (Eigen::Index i = 0; i < rest_.size(); ++i) {
+      gradient_.col(i) = (volumes(i, d) - volumes(i, -d)) / (2 * d);
+      for (Eigen::Index j = 0; j <= i; ++j) {
+        const auto energy = [&](double by_i, double by_j) {
+          return cell_column::excess(column_, moved(i, by_i, j, by_j));
+        };
+        hessian_(i, j) = (energy(d, d) - energy(d, -d) - energy(-d, d) + energy(-d, -d)) / (4 * d * d);
+        hessian_(j, i) = hessian_(i, j);
+      }
     }
   }
-}
+
+  /// Squares of the frequencies of all motions with the wavenumber (kx, ky), ascending [1/s^2].
+  [[nodiscard]] Eigen::VectorXd squared_frequencies(double kx, double ky) const;
+
+ private:
+  CellColumn column_;
+  Eigen::VectorXd rest_;
+  Eigen::MatrixXd gradient_, hessian_;
+};
 
 inline Eigen::VectorXd BlochWave::squared_frequencies(double kx, double ky) const {
   const Eigen::Index nodes = cell_column::levels(column_);
@@ -168,8 +161,7 @@ inline Eigen::VectorXd BlochWave::squared_frequencies(double kx, double ky) cons
   for (Eigen::Index node = 0; node < 4 * nodes; ++node) {
     const double phase = kx * rest_[3 * node] + ky * rest_[3 * node + 1];
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
-      const Eigen::Index row = 3 * node + axis;
-      const Eigen::Index column = 3 * (node / 4) + axis;
+      const Eigen::Index row = 3 * node + axis, column = 3 * (node / 4) + axis;
       real(row, column) = axis == 2 ? std::cos(phase) : -std::sin(phase);
       imaginary(row, column) = axis == 2 ? std::sin(phase) : std::cos(phase);
     }

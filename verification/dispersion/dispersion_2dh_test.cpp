@@ -15,8 +15,7 @@ namespace seiche::verification::dispersion_2dh_test {
 
 using exact::PlanDispersion;
 
-constexpr double pi = std::numbers::pi;
-constexpr double diagonal = pi / 4;
+constexpr double pi = std::numbers::pi, diagonal = pi / 4;
 const std::string source =
     "Frank, Discrete models of incompressible fluid (1994), ch. 3 and 4.2; closed form of its cells";
 PlanDispersion square(double spacing) {
@@ -25,8 +24,7 @@ PlanDispersion square(double spacing) {
 
 /// The leading term of the law's error, of second order in the spacings, for g = H = 1 and alpha = 1/3.
 double leading_error(double hx, double hy, double k, double direction) {
-  const double c2 = std::pow(std::cos(direction), 2);
-  const double s2 = std::pow(std::sin(direction), 2);
+  const double c2 = std::pow(std::cos(direction), 2), s2 = std::pow(std::sin(direction), 2);
   const double potential = c2 * hx * hx + s2 * hy * hy;
   const double inertia = (c2 * c2 * hx * hx + s2 * s2 * hy * hy) / (1 + k * k / 3);
   return k * k / 12 * (inertia - potential);
@@ -38,8 +36,7 @@ double frequency_error(const PlanDispersion& law, double k, double direction) {
 }
 
 void claim_orders(Check& check) {
-  constexpr double k = 1.2;
-  constexpr double direction = 0.5;
+  constexpr double k = 1.2, direction = 0.5;
   check.source(source);
   refine(check, {"h1", {0.4, 0.2, 0.1, 0.05, 0.025}},
          {{"order",
@@ -53,8 +50,7 @@ void claim_orders(Check& check) {
            const double error = frequency_error(law, k, direction);
            return std::array{std::abs(error), std::abs(error - leading_error(spacing, 0.7 * spacing, k, direction))};
          });
-  const double h = 0.5;
-  const double small = 0.02;
+  const double h = 0.5, small = 0.02;
   check.from(source).that(
       "anisotropy", "The relative error of omega^2 of long waves at 45 degrees is -(h k)^2/12.",
       "2 delta omega/omega over (h k)^2 at k H = 0.02",

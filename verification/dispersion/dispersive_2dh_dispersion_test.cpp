@@ -4,37 +4,25 @@
 #include <limits>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "seiche/samples.hpp"
 #include "validation/instruments/plan/plan_standing_mode.hpp"
 #include "verification/check.hpp"
+#include "verification/dispersion/tank_frequencies.hpp"
 
 namespace seiche::verification::dispersive_2dh_dispersion_test {
 
-using validation::PlanMode;
-using validation::PlanTank;
+using validation::PlanMode, validation::PlanTank;
 
 constexpr double pi = std::numbers::pi;
 
-struct HalfWaves {
-  std::size_t x, y;
-};
-constexpr std::array<HalfWaves, 6> modes{HalfWaves{1, 0}, HalfWaves{2, 1}, HalfWaves{3, 3},
-                                         HalfWaves{0, 5}, HalfWaves{7, 6}, HalfWaves{9, 7}};
-
-struct NamedTank {
-  std::string id;
-  PlanTank tank;
-};
-
-std::vector<NamedTank> tanks() {
-  return {{"square", {.columns = 12, .rows = 12, .length = 6, .width = 6}},
-          {"oblong", {.columns = 20, .rows = 8, .length = 5, .width = 4}},
-          {"dimensional",
-           {.columns = 10, .rows = 9, .length = 3, .width = 4, .depth = 0.7, .gravity = 9.81, .inertia = 0.4}},
-          {"improved", {.columns = 12, .rows = 9, .length = 5, .width = 4, .inertia = 0.4, .gamma = 1.0 / 15}}};
-}
+const std::vector<std::pair<std::string, PlanTank>> tanks{
+    {"square", {.columns = 12, .rows = 12, .length = 6, .width = 6}},
+    {"oblong", {.columns = 20, .rows = 8, .length = 5, .width = 4}},
+    {"dimensional", {.columns = 10, .rows = 9, .length = 3, .width = 4, .depth = 0.7, .gravity = 9.81, .inertia = 0.4}},
+    {"improved", {.columns = 12, .rows = 9, .length = 5, .width = 4, .inertia = 0.4, .gamma = 1.0 / 15}}};
 
 /// Of the equation for the pressure, 1 - H^2/3 times the differences of the cells.
 double condition(const PlanTank& tank) {
@@ -53,11 +41,10 @@ TEST_CASE("the 2DH model's linearised matrices have the eigenvalues of the close
               "Modes of boxes of square and oblong cells, from one half-wave to nearly the shortest: the acceleration "
               "that the linearised forces and constraints give a mode is $-\\omega^2$ times the mode itself, with "
               "$\\omega$ of the closed form. No run, no time step, no amplitude.");
-  for (const auto& [id, tank] : tanks()) {
+  for (const auto& [id, tank] : tanks) {
     Worst worst;
-    Largest rest;
-    Largest kick;  // of gravity on the surface, over omega^2
-    for (const HalfWaves& half_waves : modes) {
+    Largest rest, kick;  // kick: of gravity on the surface, over omega^2
+    for (const HalfWaves& half_waves : tank_modes) {
       const PlanMode mode(tank, half_waves.x, half_waves.y);
       const auto found = mode.eigenvalue();
       kick.add(tank.gravity * stiffness(tank) / (tank.inertia * tank.depth * std::pow(mode.linear_frequency(), 2)));
@@ -89,32 +76,21 @@ TEST_CASE("standing waves in 2DH have the frequencies of the closed form", "[dis
   auto& panel = figure.panel({.x = "k H", .y = "omega sqrt(H/g)"});
   constexpr double phase = 0.2;  // omega tau
   constexpr int steps = 200;
-  for (const auto& [id, tank] : tanks()) {
-    const double unit = std::sqrt(tank.gravity / tank.depth);
-    const double shortest = pi * static_cast<double>(tank.columns) / tank.length;
-    std::vector<double> kh, line, places, found;
-    for (int i = 1; i <= 100; ++i) {
-      kh.push_back(i * shortest / 100 * tank.depth);
-      line.push_back(tank.frequency(i * shortest / 100, 0) / unit);
-    }
-    panel.line(tank.text(), kh, line, Role::exact);
-    Worst worst;
+  for (const auto& [id, tank_] : tanks) {
+    const PlanTank& tank = tank_;
     Largest third_order;
-    for (const HalfWaves& half_waves : modes) {
+    const auto run = [&](HalfWaves half_waves) {
       const PlanMode mode(tank, half_waves.x, half_waves.y);
       const double expected = mode.linear_frequency();
       const double amplitude = 1e-9 * std::sqrt(tank.gravity * tank.depth);
-      const double measured = mode.measured_frequency(phase / expected, steps, amplitude);
-      worst.add(measured / expected - 1);
       const double k = std::hypot(mode.kx(), mode.ky());
       third_order.add(std::pow(amplitude / expected, 2) * (1 / (tank.depth * tank.depth) + k * k));
-      if (k > shortest) continue;
-      places.push_back(k * tank.depth);
-      found.push_back(measured / expected * tank.frequency(k, 0) / unit);
-    }
-    panel.points("runs, " + tank.text(), places, found, Role::data);
+      return std::pair{expected, mode.measured_frequency(phase / expected, steps, amplitude)};
+    };
+    const double error = draw_runs(
+        panel, tank.text(), tank, [&](double k) { return tank.frequency(k, 0); }, run);
     check.holds(
-        "frequencies-" + id + ": Frequencies of " + tank.text() + " agree with the closed form.", {worst.value()},
+        "frequencies-" + id + ": Frequencies of " + tank.text() + " agree with the closed form.", {error},
         Bound{third_order.value() + 1e-13 +
                   4 * std::numeric_limits<double>::epsilon() * std::sqrt(100 + 6 / (4 * std::pow(phase, 4) * steps)),
               "waves of finite height: the squares of the elevation in depths and of the steepness; the pressure is "

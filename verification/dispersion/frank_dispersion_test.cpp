@@ -19,28 +19,21 @@ using validation::StandingBox;
 constexpr double pi = std::numbers::pi;
 /// Elevations count from rest and are rounded relative to the amplitude, whatever it is; places to 1e-16 of the box.
 const Roundoff round_off{
-    .operations = 150,
-    .scale = 4.0 / 3,
-    .reason =
-        "widths of up to 25 cells are differences of positions, rounded to the part 2^-52 of the box: the error of "
-        "each is the number of cells, of their mean its root, as if there were 25 cells of two positions in each of "
-        "two runs; fifty roundings of the law and the fit; the extrapolation weighs a run by 4/3"};
+    150, 4.0 / 3,
+    "widths of up to 25 cells are differences of positions, rounded to the part 2^-52 of the box: the error of each is "
+    "the number of cells, of their mean its root, as if there were 25 cells of two positions in each of two runs; "
+    "fifty roundings of the law and the fit; the extrapolation weighs a run by 4/3"};
 const Bound fed_back{1e-11,
                      "volumes that are fed back bring the rounding of positions of size 1, 1e-16, into an amplitude of "
                      "1e-4, divided by phases of a step of about a tenth"};
 
 /// Numbers in [0, 1) that fill the cube of nine dimensions evenly: additive recurrence with powers of the root of
 /// x^10 = x + 1, which generalises the golden ratio.
-class EvenSequence {
- public:
-  double operator()(std::size_t dimension, int index) const {
-    double whole = 0;
-    return std::modf(0.5 + index * std::pow(ratio, -static_cast<double>(dimension + 1)), &whole);
-  }
-
- private:
-  static constexpr double ratio = 1.0757660660868371;
-};
+double even_number(std::size_t dimension, int index) {
+  constexpr double ratio = 1.0757660660868371;
+  double whole = 0;
+  return std::modf(0.5 + index * std::pow(ratio, -static_cast<double>(dimension + 1)), &whole);
+}
 
 double highest_frequency(const StandingBox& box) {
   const auto law = box.law();
@@ -49,10 +42,10 @@ double highest_frequency(const StandingBox& box) {
   return highest.value();
 }
 
-StandingBox any_box(const EvenSequence& number, int index, Stepping stepping) {
+StandingBox any_box(int index, Stepping stepping) {
   StandingBox box;
   const auto within = [&](std::size_t dimension, double low, double high) {
-    return low + (high - low) * number(dimension, index);
+    return low + (high - low) * even_number(dimension, index);
   };
   box.depth = within(0, 0.3, 4);
   box.gravity = within(1, 1, 20);
@@ -103,21 +96,18 @@ TEST_CASE("small waves have the frequency of the discrete law for any parameters
       "Standing waves between walls, for 60 sets of depth, gravity, spacing, wavenumber up to the shortest that nodes "
       "resolve, time step, and factors alpha, beta, gamma of the energies, spread evenly over their ranges. The "
       "frequency, fitted to the series and extrapolated to zero amplitude, agrees with the closed form.");
-  const EvenSequence number;
   auto& figure = check.figure("deviation", "Deviation of measured frequencies from the law",
                               "60 sets of parameters; a deviation of zero is drawn as $10^{-17}$.");
   auto& panel = figure.panel({.x = "k s/pi", .y = "relative deviation", .log_y = true, .y_max = 1e-7});
-  const std::array<std::pair<Stepping, std::string>, 3> schemes = {
-      {{Stepping::one_step, "one-step"},
-       {Stepping::one_step_feedback, "one-step with volume feedback"},
-       {Stepping::conservative, "conservative"}}};
-  for (const auto& [stepping, label] : schemes) {
+  for (const auto& [stepping, label] : {std::pair{Stepping::one_step, "one-step"},
+                                        {Stepping::one_step_feedback, "one-step with volume feedback"},
+                                        {Stepping::conservative, "conservative"}}) {
     std::vector<double> resolution, deviation;
     Largest worst;
     // Fed back volumes bring their own rounding into the velocities, divided by the time step.
     const double amplitude = stepping == Stepping::one_step_feedback ? 1e-4 : 1e-5;
     for (int index = 1; index <= 60; ++index) {
-      const StandingBox box = any_box(number, index, stepping);
+      const StandingBox box = any_box(index, stepping);
       const double measured = validation::smallest_wave_frequency(box, 12, amplitude);
       const double relative = std::abs(measured / box.linear_frequency() - 1);
       worst.add(relative);
@@ -158,12 +148,12 @@ TEST_CASE("compositions converge to the dispersion of continuous time at fourth 
               "Triple jump and Suzuki's composition, of both schemes: the frequency departs from its value in "
               "continuous time as $\\tau^4$.",
               "Yoshida (1990); Suzuki (1990)");
+  std::vector<double> steps;
+  for (double tau = 0.32; tau > 0.03; tau /= std::numbers::sqrt2) steps.push_back(tau);
   for (const Stepping stepping : {Stepping::one_step, Stepping::conservative}) {
     for (const TimeComposition composition : {TimeComposition::triple_jump, TimeComposition::suzuki}) {
       const std::string id = fmt::format("{}-{}", stepping == Stepping::one_step ? "one-step" : "conservative",
                                          composition == TimeComposition::suzuki ? "suzuki" : "triple-jump");
-      std::vector<double> steps;
-      for (double tau = 0.32; tau > 0.03; tau /= std::numbers::sqrt2) steps.push_back(tau);
       refine(check, {"tau", steps, id, "Frequency, " + id, 1e-12},
              {{id,
                "The frequency of the composition is fourth-order accurate:  " + id + ".",

@@ -11,12 +11,12 @@
 #include "seiche/samples.hpp"
 #include "validation/instruments/mesh/mesh_linear_modes.hpp"
 #include "verification/check.hpp"
+#include "verification/dispersion/tank_frequencies.hpp"
 
 namespace seiche::verification::lagrangian_mesh_dispersion_test {
 
 using namespace lagrangian_mesh_2d;
-using exact::LagrangianMeshDispersion;
-using exact::SurfaceInertia;
+using exact::LagrangianMeshDispersion, exact::SurfaceInertia;
 
 constexpr double pi = std::numbers::pi;
 
@@ -54,20 +54,13 @@ TEST_CASE("the linearised mesh has the frequencies of the closed form", "[disper
   for (const Tank& tank : tanks) {
     Model model = tank.model();
     const LagrangianMeshDispersion law = tank.law();
-    const auto modes = validation::linear_modes(model, law.row_height() / 32);
+    const validation::LinearModes modes = validation::linear_modes(model, law.row_height() / 32);
     std::vector<double> wavenumbers, expected;
     for (std::size_t m = 1; m <= tank.columns; ++m) {
       wavenumbers.push_back(tank.wavenumber(m));
       expected.push_back(law.frequency(wavenumbers.back()));
     }
-    const double unit = std::sqrt(tank.gravity / tank.depth);
-    std::vector<double> kh, line;
-    for (int i = 1; i <= 200; ++i) {
-      const double k = i * wavenumbers.back() / 200;
-      kh.push_back(k * tank.depth);
-      line.push_back(law.frequency(k) / unit);
-    }
-    panel.line(tank.name(), kh, line, Role::exact);
+    draw_law(panel, tank.name(), tank, 200, [&](double k) { return law.frequency(k); });
     // Frequencies of short waves need not ascend.
     std::vector<double> sorted = expected;
     std::sort(sorted.begin(), sorted.end());
@@ -91,7 +84,7 @@ TEST_CASE("the linearised mesh has the frequencies of the closed form", "[disper
     for (std::size_t m = 0; m < tank.columns; ++m) {
       const auto rank = std::lower_bound(sorted.begin(), sorted.end(), expected[m]) - sorted.begin();
       places.push_back(wavenumbers[m] * tank.depth);
-      found.push_back(modes.frequencies.at(static_cast<std::size_t>(rank)) / unit);
+      found.push_back(modes.frequencies.at(static_cast<std::size_t>(rank)) / std::sqrt(tank.gravity / tank.depth));
     }
     panel.points("eigenvalues", places, found, Role::data);
     CHECK(modes.asymmetry < 1e-11);

@@ -6,21 +6,15 @@
 #include "seiche/exact/dispersion.hpp"
 #include "seiche/exact/lattice_dispersion.hpp"
 #include "verification/check.hpp"
+#include "verification/dispersion/long_waves.hpp"
 #include "verification/refinement.hpp"
 
 namespace seiche::verification::lagrangian_mesh_law_test {
 
-using exact::LagrangianMeshDispersion;
-using exact::SurfaceInertia;
+using exact::LagrangianMeshDispersion, exact::SurfaceInertia;
 
 constexpr double pi = std::numbers::pi;
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), ch. 2; closed form of its rows";
-
-/// (1 - (omega/k)^2)/k^2 as k -> 0, depth and gravity 1: 1/3 in water. Extrapolated in k^2 from three wavenumbers.
-double dispersion_coefficient(const LagrangianMeshDispersion& law) {
-  const auto at = [&](double k) { return (1 - std::pow(law.phase_speed(k), 2)) / (k * k); };
-  return (64 * at(0.05) - 20 * at(0.1) + at(0.2)) / 45;
-}
 
 TEST_CASE("the law of the Lagrangian mesh has the known limits", "[dispersion]") {
   Check check("exact_lagrangian_mesh_dispersion", "Dispersion law of the two-dimensional Lagrangian mesh",
@@ -34,7 +28,7 @@ TEST_CASE("the law of the Lagrangian mesh has the known limits", "[dispersion]")
       check.holds("long-" + name + ": " +
                       fmt::format("Long waves on {} rows, {} inertia: omega^2 = k^2 (1 - c k^2), c = {}.", rows,
                                   tuned ? "tuned" : "nodal", tuned ? "1/3" : "1/3 + h2^2/6"),
-                  {dispersion_coefficient(law)},
+                  {long_wave_coefficient([&](double k) { return law.phase_speed(k); })},
                   Bound{1e-6, "extrapolation leaves the product of the three k^2, 1e-6, times a coefficient below 1",
                         1.0 / 3 + (tuned ? 0 : h2 * h2 / 6)});
     }
@@ -45,8 +39,7 @@ TEST_CASE("the law of the Lagrangian mesh has the known limits", "[dispersion]")
         "The law tends to Airy's with the square of the cells' size.",
         {2, 0.05, "expansion of the law in even powers; the next is of the size (k h)^2, at most 0.004, beside it"}}},
       [](double h) {
-        const double k = 2 * pi / 3;
-        const double airy = exact::AiryDispersion(1, 1).frequency(k);
+        const double k = 2 * pi / 3, airy = exact::AiryDispersion(1, 1).frequency(k);
         return std::abs(LagrangianMeshDispersion(1, 1, h, cells_of(1, h)).frequency(k) / airy - 1);
       });
   CHECK_THROWS_AS(LagrangianMeshDispersion(1, 1, 0.3, 0), std::invalid_argument);

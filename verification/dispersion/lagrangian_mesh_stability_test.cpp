@@ -1,6 +1,7 @@
 // The longest stable step of the one-step scheme on the two-dimensional Lagrangian mesh.
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,11 +15,10 @@
 namespace seiche::verification::lagrangian_mesh_stability_test {
 
 using namespace lagrangian_mesh_2d;
-using mechanics::State;
-using validation::LinearModes;
+using mechanics::State, validation::LinearModes;
 
 struct Tank {
-  std::string id, text;
+  std::string text;
   double length;
   std::size_t columns, rows;
   Settings settings = {};
@@ -60,15 +60,12 @@ double growth(const Tank& tank, const LinearModes& modes, double share_of_limit,
   return largest.value();
 }
 
-std::vector<Tank> tanks() {
-  return {{"6x2", "6 x 2 cells", 6, 6, 2}, {"8x3", "8 x 3 cells", 4, 8, 3}, {"16x4", "16 x 4 cells", 6, 16, 4}};
-}
-
-std::vector<Tank> other_tanks() {
-  return {{"tuned", "tuned surface inertia", 6, 16, 4, {.tuned_surface_inertia = true}},
-          {"hourglass", "weak hourglass potential", 6, 16, 4, {.hourglass = 0.1}},
-          {"stiff-hourglass", "strong hourglass potential", 6, 16, 4, {.hourglass = 0.6}}};
-}
+const std::vector<Tank> tanks{{"6 x 2 cells", 6, 6, 2},
+                              {"8 x 3 cells", 4, 8, 3},
+                              {"16 x 4 cells", 6, 16, 4},
+                              {"tuned surface inertia", 6, 16, 4, {.tuned_surface_inertia = true}},
+                              {"weak hourglass potential", 6, 16, 4, {.hourglass = 0.1}},
+                              {"strong hourglass potential", 6, 16, 4, {.hourglass = 0.6}}};
 
 TEST_CASE("the one-step scheme on the Lagrangian mesh is stable up to 2/omega of the fastest mode", "[dispersion]") {
   Check check("lagrangian_mesh_stability", "Longest stable step of the Lagrangian mesh",
@@ -76,7 +73,7 @@ TEST_CASE("the one-step scheme on the Lagrangian mesh is stable up to 2/omega of
               "of frequency $\\Omega$ the frequency $\\omega$ with $\\sin(\\omega\\tau/2) = \\Omega\\tau/2$: bounded 2 "
               "% below $\\tau = 2/\\Omega$, exploding 2 % above. The limit that a flow reports is the closed law's: "
               "the true one, or below it where the fastest wave does not fit the tank or potentials add.");
-  for (const Tank& tank : tanks()) {
+  for (const Tank& tank : std::span(tanks).first(3)) {
     const LinearModes found = modes_of(tank);
     check.holds(tank.text + ": bounded at 0.98 of the limit.", {growth(tank, found, 0.98, 10000)},
                 Bound{1.01,
@@ -86,9 +83,7 @@ TEST_CASE("the one-step scheme on the Lagrangian mesh is stable up to 2/omega of
         tank.text + ": explodes at 1.02 of it.", {growth(tank, found, 1.02, 100) >= 1e3 ? 1.0 : 0.0},
         Qualitative{"share of the mode >= 1000 times the initial", "it grows by cosh(100 * 2 arcosh 1.02) = 1e17"});
   }
-  std::vector<Tank> all = tanks();
-  for (Tank& tank : other_tanks()) all.push_back(std::move(tank));
-  for (const Tank& tank : all) {
+  for (const Tank& tank : tanks) {
     const double limit = 2 / modes_of(tank).frequencies.back();
     const double reported = longest_stable_step(tank.model());
     check.holds(tank.text + ": the reported limit is safe.", {std::max(reported / limit - 1, 0.0)},

@@ -12,45 +12,38 @@
 
 namespace seiche::verification::lattice_energies_test {
 
-using exact::HexahedralDispersion;
-using exact::PlanDispersion;
-using exact::SurfaceInertia;
+using exact::HexahedralDispersion, exact::PlanDispersion, exact::SurfaceInertia;
 
 constexpr double pi = std::numbers::pi;
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), 4.1, 4.2; closed forms of the cells";
 
-/// Deviation of the largest squared frequency, and the largest of the others, over the zone of wavenumbers.
-struct Deviation {
-  Worst wave, vortex;
-};
-
-template <class Law>
-Deviation deviation(const CellColumn& column, const Law& law) {
-  const BlochWave lattice(column);
-  Deviation found;
+template <class Visit>
+void over_the_zone(const CellColumn& column, const Visit& visit) {
   for (double a = 0.05; a < 0.96; a += 0.1) {
-    for (double b = 0; b < 0.96; b += 0.1) {
-      const double kx = a * pi / column.hx;
-      const double ky = b * pi / column.hy;
-      const Eigen::VectorXd squares = lattice.squared_frequencies(kx, ky);
-      const Eigen::Index others = squares.size() - 1;
-      found.wave.add(squares[others] / std::pow(law.frequency(kx, ky), 2) - 1);
-      found.vortex.add(worst(squares.head(others)) / std::pow(law.frequency_bound(), 2));
-    }
+    for (double b = 0; b < 0.96; b += 0.1) visit(a * pi / column.hx, b * pi / column.hy);
   }
-  return found;
 }
 
-void claim(Check& check, const std::string& name, const std::string& lattice, const Deviation& found) {
+template <class Law>
+void claim(Check& check, const std::string& name, const std::string& lattice, const CellColumn& column,
+           const Law& law) {
+  const BlochWave cells(column);
+  Worst wave, vortex;
+  over_the_zone(column, [&](double kx, double ky) {
+    const Eigen::VectorXd squares = cells.squared_frequencies(kx, ky);
+    const Eigen::Index others = squares.size() - 1;
+    wave.add(squares[others] / std::pow(law.frequency(kx, ky), 2) - 1);
+    vortex.add(worst(squares.head(others)) / std::pow(law.frequency_bound(), 2));
+  });
   check.holds("waves-" + name +
                   ": Energies and volumes linearised about rest have the frequencies of the closed form, on " +
                   lattice + ".",
-              {found.wave.value()},
+              {wave.value()},
               Bound{1e-12,
                     "second differences over h/4 leave 1e-15 of a cell's energy; the longest wave has 1e-3 of the "
                     "largest omega^2"});
   check.holds("vortices-" + name + ": All other motions that the volumes allow are motionless, on " + lattice + ".",
-              {found.vortex.value()}, Bound{1e-13, "the same differences, 1e-14 of a cell's energy"});
+              {vortex.value()}, Bound{1e-13, "the same differences, 1e-14 of a cell's energy"});
 }
 
 /// The same frequency from the symbol of the multipliers' matrix: for a plane wave it is tridiagonal over the layers.
@@ -58,10 +51,8 @@ double by_multipliers(const CellColumn& column, double kx, double ky) {
   const auto n = static_cast<Eigen::Index>(column.layers);
   const double h3 = column.depth / static_cast<double>(column.layers);
   const double mass = column.hx * column.hy * h3;
-  const double s1 = std::sin(0.5 * kx * column.hx);
-  const double s2 = std::sin(0.5 * ky * column.hy);
-  const double c1 = std::cos(0.5 * kx * column.hx);
-  const double c2 = std::cos(0.5 * ky * column.hy);
+  const double s1 = std::sin(0.5 * kx * column.hx), c1 = std::cos(0.5 * kx * column.hx);
+  const double s2 = std::sin(0.5 * ky * column.hy), c2 = std::cos(0.5 * ky * column.hy);
   const double level = h3 * h3 * (std::pow(column.hy * s1 * c2, 2) + std::pow(column.hx * s2 * c1, 2)) / mass;
   const double upright = std::pow(column.hx * column.hy * c1 * c2, 2) / mass;
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(n, n);
@@ -88,25 +79,19 @@ TEST_CASE("the laws of the models in three dimensions follow from their energies
                                                       {"2dh-oblong", 9.81, 0.7, 0.4, 0.3, third},
                                                       {"2dh-alpha-1-2", 1.0, 1.0, 1.0, 0.25, 0.5}}) {
     claim(check, name, fmt::format("{:g} by {:g} H in 2DH, alpha = {:.3g}", hx / depth, hy / depth, alpha),
-          deviation(CellColumn{g, depth, hx, hy, 0, alpha}, PlanDispersion(g, depth, hx, hy, alpha)));
+          {g, depth, hx, hy, 0, alpha}, PlanDispersion(g, depth, hx, hy, alpha));
   }
   Worst multipliers;
   for (const std::size_t layers : {1UL, 2UL, 3UL, 5UL}) {
     const CellColumn column{9.81, 0.7, 0.4, 0.3, layers};
     const HexahedralDispersion law(9.81, 0.7, 0.4, 0.3, layers);
-    claim(check, fmt::format("layers-{}", layers), fmt::format("{} layers of hexahedra", layers),
-          deviation(column, law));
+    claim(check, fmt::format("layers-{}", layers), fmt::format("{} layers of hexahedra", layers), column, law);
     const double tuned = 1 - 1 / (3 * static_cast<double>(layers));
     claim(check, fmt::format("tuned-{}", layers), fmt::format("{} layers, tuned surface inertia", layers),
-          deviation(CellColumn{1, 1, 0.5, 0.25, layers, tuned},
-                    HexahedralDispersion(1, 1, 0.5, 0.25, layers, SurfaceInertia::tuned)));
-    for (double a = 0.05; a < 0.96; a += 0.1) {
-      for (double b = 0; b < 0.96; b += 0.1) {
-        const double kx = a * pi / 0.4;
-        const double ky = b * pi / 0.3;
-        multipliers.add(by_multipliers(column, kx, ky) / law.frequency(kx, ky) - 1);
-      }
-    }
+          {1, 1, 0.5, 0.25, layers, tuned}, HexahedralDispersion(1, 1, 0.5, 0.25, layers, SurfaceInertia::tuned));
+    over_the_zone(column, [&](double kx, double ky) {
+      multipliers.add(by_multipliers(column, kx, ky) / law.frequency(kx, ky) - 1);
+    });
   }
   check.that("multipliers",
              "The tridiagonal problem of the layers' multipliers has the frequencies of the closed form, for T = K "

@@ -22,6 +22,12 @@ constexpr std::size_t rows_of_lattice = 16;
 const std::string source =
     "linearisation on the lattice: omega = c_0 |S(k)|; explicit midpoint rule: G = 1 + i omega dt - (omega dt)^2/2";
 
+/// S(k)/k; dx = 1.
+double symbol(KernelName kernel, double smoothing, double k) {
+  const auto sums = kernel == KernelName::cubic_spline ? lattice_sums<CubicSpline> : lattice_sums<WendlandC2>;
+  return sums(smoothing, Arrangement::square, k).symbol / k;
+}
+
 struct Wave {
   std::size_t cells;  ///< N per unit length
   int mode;
@@ -31,18 +37,14 @@ struct Wave {
   [[nodiscard]] double wavenumber() const { return 2 * std::numbers::pi * mode; }
   /// omega/(c_0 k) of the equations in continuous time.
   [[nodiscard]] double dispersion() const {
-    const double k = wavenumber() / static_cast<double>(cells);
-    return (kernel == KernelName::cubic_spline ? lattice_sums<CubicSpline>(smoothing, Arrangement::square, k).symbol
-                                               : lattice_sums<WendlandC2>(smoothing, Arrangement::square, k).symbol) /
-           k;
+    return symbol(kernel, smoothing, wavenumber() / static_cast<double>(cells));
   }
   [[nodiscard]] double frequency() const { return sound_speed * wavenumber() * dispersion(); }
   [[nodiscard]] double acoustic_step() const { return 0.3 * smoothing / static_cast<double>(cells) / sound_speed; }
 };
 
 struct Outcome {
-  double frequency;      ///< over c_0 k
-  double energy_growth;  ///< relative
+  double frequency, energy_growth;  ///< over c_0 k; relative
 };
 
 constexpr double amplitude = 1e-4;
@@ -66,8 +68,7 @@ Harmonic harmonic_of(const Wave& wave, double time) {
 
 /// A standing wave u = 1e-4 sin(kx) on a lattice without viscosity; steps of one length.
 Outcome run(const Wave& wave, double step, long steps) {
-  const double dx = 1 / static_cast<double>(wave.cells);
-  const double k = wave.wavenumber();
+  const double dx = 1 / static_cast<double>(wave.cells), k = wave.wavenumber();
   Particles particles = lattice(wave.cells, rows_of_lattice, dx, 1);
   for (std::size_t a = 0; a < particles.size(); ++a) particles.u[a] = amplitude * std::sin(k * particles.x[a]);
   const std::vector<double> place = particles.x;
@@ -92,8 +93,7 @@ Outcome run(const Wave& wave, double step, long steps) {
     return std::atan2(density, velocity);
   };
   const double energy = flow.totals().kinetic + flow.totals().elastic;
-  double phase = 0;
-  double last = angle();
+  double phase = 0, last = angle();
   for (long n = 0; n < steps; ++n) {
     flow.advance(step);
     const double now = angle();
@@ -127,8 +127,7 @@ TEST_CASE("sound has the dispersion of the lattice and grows by the law of the m
     const double step = wave.acoustic_step();
     const long steps = std::lround(0.5 / step);
     const Outcome found = run(wave, step, steps);
-    const double angle = wave.frequency() * step;
-    const double expected = wave.dispersion() * turn(angle) / angle;
+    const double angle = wave.frequency() * step, expected = wave.dispersion() * turn(angle) / angle;
     const double growth = std::pow(amplification(angle), static_cast<double>(steps)) - 1;
     const Harmonic harmonic = harmonic_of(wave, step * static_cast<double>(steps));
     const double rounding = 4 * 0x1p-52 *
@@ -160,8 +159,8 @@ TEST_CASE("sound has the dispersion of the lattice and grows by the law of the m
   for (double part = 0.002; part < 0.2; part += 0.002) {
     const double k = 2 * std::numbers::pi * part;
     parts.push_back(part);
-    spline_curve.push_back(lattice_sums<CubicSpline>(1.3, Arrangement::square, k).symbol / k);
-    wendland_curve.push_back(lattice_sums<WendlandC2>(2.0, Arrangement::square, k).symbol / k);
+    spline_curve.push_back(symbol(KernelName::cubic_spline, 1.3, k));
+    wendland_curve.push_back(symbol(KernelName::wendland_c2, 2, k));
   }
   panel.line("cubic spline, h = 1.3 dx", parts, spline_curve, Role::exact);
   panel.line("Wendland, h = 2 dx", parts, wendland_curve, Role::guide);

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -14,17 +15,12 @@ namespace seiche::verification::wcsph_diffusion_decay_test {
 
 using namespace wcsph;
 
-constexpr std::size_t cells = 32;
-constexpr std::size_t rows = 16;
-constexpr double dx = 1.0 / cells;
-constexpr double sound_speed = 10;
-constexpr double delta = 0.1;
-constexpr double mach = 1e-6;
-constexpr double duration = 0.5;
+constexpr std::size_t cells = 32, rows = 16;
+constexpr double dx = 1.0 / cells, sound_speed = 10, delta = 0.1, mach = 1e-6, duration = 0.5;
 
-/// What the diffusion of exp(i k x) is, over delta c_0 h; dx = 1.
+/// What the derivative of a wave is multiplied by, and the diffusion of exp(i k x) over delta c_0 h; dx = 1.
 template <class Kernel>
-double diffusion_symbol(double h, double k) {
+std::pair<double, double> symbols(double h, double k) {
   double second = 0;
   const int reach = static_cast<int>(std::ceil(support * h));
   for (int j = -reach; j <= reach; ++j) {
@@ -35,7 +31,7 @@ double diffusion_symbol(double h, double k) {
     }
   }
   const LatticeSums sums = lattice_sums<Kernel>(h, Arrangement::square, k);
-  return second - sums.symbol * sums.symbol / sums.first;
+  return {sums.symbol, second - sums.symbol * sums.symbol / sums.first};
 }
 
 /// Amplitudes of rho/rho_0 - 1, as cos kx, and of u/c_0, as sin kx.
@@ -81,13 +77,9 @@ TEST_CASE("density diffusion damps sound at the rate of the linear equations on 
                  .period = {1, dx * rows}});
       const double step = 0.3 * dx / sound_speed;
       const long steps = std::lround(duration / step);
-      const double symbol = (spline ? lattice_sums<CubicSpline>(smoothing, Arrangement::square, k * dx)
-                                    : lattice_sums<WendlandC2>(smoothing, Arrangement::square, k * dx))
-                                .symbol /
-                            dx;
-      const double lambda = (spline ? diffusion_symbol<CubicSpline>(smoothing, k * dx)
-                                    : diffusion_symbol<WendlandC2>(smoothing, k * dx)) /
-                            (dx * dx);
+      const auto [first, second] =
+          spline ? symbols<CubicSpline>(smoothing, k * dx) : symbols<WendlandC2>(smoothing, k * dx);
+      const double symbol = first / dx, lambda = second / (dx * dx);
       const auto rate = [&](const Amplitudes& y) {
         return Amplitudes{
             -sound_speed * symbol * y.velocity - delta * sound_speed * smoothing * dx * lambda * y.density,

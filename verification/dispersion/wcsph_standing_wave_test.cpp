@@ -33,8 +33,7 @@ struct Oscillation {
   [[nodiscard]] std::vector<double> zeros() const {
     std::vector<double> found;
     for (std::size_t n = 1; n < time.size(); ++n) {
-      const double before = amplitude[n - 1];
-      const double after = amplitude[n];
+      const double before = amplitude[n - 1], after = amplitude[n];
       if ((before < 0) != (after < 0)) {
         found.push_back(time[n - 1] + (time[n] - time[n - 1]) * before / (before - after));
       }
@@ -59,8 +58,7 @@ struct Oscillation {
 /// and the pressure hydrostatic. Amplitude: velocities projected on those of the wave, over omega; displacements would
 /// see particles that change their places in the lattice too.
 Oscillation run(KernelName kernel, double smoothing, double xsph, const Layer& layer) {
-  const double omega = layer.omega();
-  const double depth = layer.depth;
+  const double omega = layer.omega(), depth = layer.depth;
   const auto mode = [depth](double x, double z) {
     const double scale = 1 / std::sinh(k * depth);
     return Velocity{-scale * std::cosh(k * z) * std::sin(k * x), scale * std::sinh(k * z) * std::cos(k * x)};
@@ -71,15 +69,12 @@ Oscillation run(KernelName kernel, double smoothing, double xsph, const Layer& l
                     .sound_speed = sound_speed_for(gravity, depth),
                     .viscosity = ArtificialViscosity{0.02},
                     .xsph = xsph};
-  const Scene scene = periodic_layer({.period = 1,
-                                      .depth = depth,
-                                      .velocity =
-                                          [&](double x, double z) {
-                                            const auto [u, w] = mode(x, z);
-                                            return Velocity{layer.crest * omega * u, layer.crest * omega * w};
-                                          },
-                                      .spacing = 1 / static_cast<double>(layer.columns)},
-                                     settings);
+  const auto velocity = [&](double x, double z) {
+    const auto [u, w] = mode(x, z);
+    return Velocity{layer.crest * omega * u, layer.crest * omega * w};
+  };
+  const Scene scene = periodic_layer(
+      {.period = 1, .depth = depth, .velocity = velocity, .spacing = 1 / static_cast<double>(layer.columns)}, settings);
   settings.period = scene.period;
   Flow flow(scene.particles, scene.spacing, settings);
   Oscillation oscillation{};

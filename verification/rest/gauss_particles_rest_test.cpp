@@ -76,17 +76,16 @@ TEST_CASE("Gauss-principle particles at rest over a flat bottom stay at rest", "
   flow.advance(0.03);
   const double first = worst(flow.model().projected()) * 2 / 0.03;
   march(flow, 10, 0.03, [&] { flow.observe(); });
+  check.at("20 cells, 12 particles to a side");
   check.that("uneven-bounded",
              "The surface over an uneven bottom with the penalty rises by at most 2 a/omega^2, a the first "
              "acceleration, omega of the longest wave.",
-             "highest elevation up to t = 10 [depth]",
-             {.value = highest_marker(flow), .resolution = "20 cells, 12 particles to a side"},
+             "highest elevation up to t = 10 [depth]", {highest_marker(flow)},
              Bound{2 * first / std::tanh(1.0),
                    "an oscillator that is pushed with a steady acceleration a from rest swings to 2 a/omega^2; the "
                    "longest wave, omega^2 = tanh 1, swings farthest"});
   check.that("uneven-energy", "The change of energy equals the energy removed by the penalty, to round-off.",
-             "largest error of the energy after booking",
-             {.value = flow.ledger().largest_defect("energy"), .resolution = "20 cells, 12 particles to a side"},
+             "largest error of the energy after booking", {flow.ledger().largest_defect("energy")},
              Roundoff{333, 1e-2,
                       "one rounding per step of potential energies m g (y - y0), which are sums of terms below 1e-2"});
 }

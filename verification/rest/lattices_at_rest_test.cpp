@@ -35,8 +35,7 @@ Mesh jittered(Mesh mesh, double part, unsigned seed) {
   for (std::size_t j = 0; j <= mesh.rows; ++j) {
     for (std::size_t i = 0; i <= mesh.columns; ++i) {
       const std::size_t k = mesh.node(i, j);
-      const bool side = i == 0 || i == mesh.columns;
-      const bool top = j == mesh.rows;
+      const bool side = i == 0 || i == mesh.columns, top = j == mesh.rows;
       if (side && (top || j == 0)) continue;
       if (side) {
         slid(i == 0 ? mesh.sides.left : mesh.sides.right, k, height * uniform(random));

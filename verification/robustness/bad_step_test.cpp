@@ -1,5 +1,4 @@
 // What no flow takes for the length of a step, or for a time to go to: one check for all models.
-#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -43,8 +42,7 @@ void refuses(Check& check, const std::string& name, M&& flow) {
   flow.advance(std::min(1e-3, 0.5 * flow.stable_step()));
   const std::vector<double> before = seen(flow);
   Refusals refusals(check);
-  using Limits = std::numeric_limits<double>;
-  for (const double bad : {0.0, -0.1, Limits::quiet_NaN(), Limits::infinity()}) {
+  for (const double bad : {0.0, -0.1, not_a_number, infinity}) {
     INFO(name << ", " << bad);
     refusals.refused({"tau", "positive and finite"}, [&] { flow.advance(bad); });
     refusals.refused({"tau", "positive and finite"}, [&] { march(flow, 1, bad); });

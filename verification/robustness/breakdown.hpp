@@ -16,8 +16,7 @@ struct Breakdown {
   std::string message;
   double time = std::numeric_limits<double>::quiet_NaN();
   double place = std::numeric_limits<double>::quiet_NaN();
-  bool says_when = false;
-  bool kept = false;
+  bool says_when = false, kept = false;
 };
 
 /// @param advance  advance(flow) takes one step; or the length of all steps

@@ -1,7 +1,6 @@
 // What the Dirichlet mesh refuses, singular lattices among it, and how it breaks down.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -42,18 +41,15 @@ Eigen::MatrixXd responses(const Mesh& mesh) {
 }
 
 struct Rank {
-  long cells = 0, rank = 0;
+  long rank = 0;
   Eigen::MatrixXd null_vectors;  ///< in columns
 };
 
 Rank rank_of(const Mesh& mesh) {
   const Eigen::BDCSVD<Eigen::MatrixXd> svd(responses(mesh), Eigen::ComputeThinV);
   const Eigen::VectorXd& values = svd.singularValues();
-  Rank rank{.cells = static_cast<long>(mesh.nodes())};
-  constexpr double threshold = 1e-10;
-  rank.rank = (values.array() > threshold * values[0]).count();
-  rank.null_vectors = svd.matrixV().rightCols(rank.cells - rank.rank);
-  return rank;
+  const long rank = (values.array() > 1e-10 * values[0]).count();
+  return {rank, svd.matrixV().rightCols(static_cast<long>(mesh.nodes()) - rank)};
 }
 
 TEST_CASE("regular arrangements of Dirichlet cells are singular, staggered and jittered ones are not", "[robustness]") {
@@ -62,25 +58,23 @@ TEST_CASE("regular arrangements of Dirichlet cells are singular, staggered and j
               "rectangular arrangement of 25 x 9 nodes in a tank has two pressure modes without force: chequerboards "
               "along one axis at least. Staggered rows and jittered meshes have none. Without stabilisation the model "
               "rejects the arrangement and names the remedy.");
-  Layer layer{.begin = 0, .end = 3, .columns = 24, .rows = 8};
-  layer.staggered = false;
+  Layer layer{.end = 3, .columns = 24, .rows = 8, .staggered = false};
   const Mesh rectangular = layer_mesh(layer);
   layer.staggered = true;
-  const auto claim = [&](const std::string& text, const Rank& rank, long expected) {
+  const auto claim = [&](const std::string& text, const Rank& rank, double expected) {
     check.holds(text, {static_cast<double>(rank.rank)},
-                Bound{0, "counted; singular values below 1e-10 of the largest are zero to rounding",
-                      static_cast<double>(expected)});
+                Bound{0, "counted; singular values below 1e-10 of the largest are zero to rounding", expected});
   };
   const Rank lattice = rank_of(rectangular);
+  const Mesh staggered = layer_mesh(layer);
   claim("The rank deficiency of the constraint matrix of a rectangular grid is two.", lattice, 223);
-  claim("The constraint matrix of staggered rows has full rank.", rank_of(layer_mesh(layer)),
-        static_cast<long>(layer_mesh(layer).nodes()));
+  claim("The constraint matrix of staggered rows has full rank.", rank_of(staggered),
+        static_cast<double>(staggered.nodes()));
   claim("The constraint matrix of a jittered block has full rank.",
         rank_of(jittered(free_patch(8, 5, {0, 0}, {8, 5}, false), 0.2, 1)), 54);
   auto& figure = check.figure("null-vectors", "A pressure without forces",
                               "In the rectangular arrangement: the nodes where it is positive, and where negative.");
-  std::vector<double> x_of[2];
-  std::vector<double> y_of[2];
+  std::vector<double> x_of[2], y_of[2];
   const Eigen::VectorXd shown = lattice.null_vectors.col(0);
   for (std::size_t k = 0; k < rectangular.nodes(); ++k) {
     const double value = shown[static_cast<Eigen::Index>(k)];
@@ -95,8 +89,7 @@ TEST_CASE("regular arrangements of Dirichlet cells are singular, staggered and j
   Refusals refusals(check);
   refusals.refused({"singular configuration", "stabilisation = 0", "set stabilisation > 0"},
                    [&] { Flow flow(rectangular, {}, {.stabilisation = 0}); });
-  Layer large{.begin = 0, .end = 1, .columns = 60, .rows = 60};
-  large.staggered = false;
+  const Layer large{.end = 1, .columns = 60, .rows = 60, .staggered = false};
   refusals.refused({"singular configuration"}, [&] { Flow flow(layer_mesh(large), {}, {.stabilisation = 0}); });
   Flow cured(rectangular, {}, {.stabilisation = 0.1});
   cured.advance(0.05);
@@ -110,21 +103,21 @@ TEST_CASE("bad meshes and settings of Dirichlet cells are rejected by name", "[r
   Refusals refusals(check);
   const auto refused = refusals.of(square(), [](const Mesh& m) { Flow flow(m); });
   refused({"node 4", "nan", "finite"}, [](Mesh& m) { m.x[4] = not_a_number; });
-  refused({"node 2", "inf", "finite"}, [](Mesh& m) { m.y[2] = std::numeric_limits<double>::infinity(); });
+  refused({"node 2", "inf", "finite"}, [](Mesh& m) { m.y[2] = infinity; });
   refused({"2 nodes", "at least 3"}, [](Mesh& m) { m.outline = {0, 1}; });
   refused({"node 9", "0 to 4"}, [](Mesh& m) { m.outline[2] = 9; });
   refused({"node 1", "twice"}, [](Mesh& m) { m.outline[2] = 1; });
-  refused({"node 5", "coincides with node 4"}, [](Mesh& m) {
-    m.x.push_back(0.4);
-    m.y.push_back(0.45);
+  const auto add = [](Mesh& m, double x, double y) {
+    m.x.push_back(x);
+    m.y.push_back(y);
     m.held.emplace_back();
-  });
-  refused({"coincides", "apart", "at least"}, [](Mesh& m) {
-    for (double& x : m.x) x -= 0.5;
-    for (double& y : m.y) y -= 0.5;
-    m.x.push_back(m.x[4] + 1e-14);
-    m.y.push_back(m.y[4]);
-    m.held.emplace_back();
+  };
+  refused({"node 5", "coincides with node 4"}, [=](Mesh& m) { add(m, 0.4, 0.45); });
+  refused({"coincides", "apart", "at least"}, [=](Mesh& m) {
+    for (auto* places : {&m.x, &m.y}) {
+      for (double& place : *places) place -= 0.5;
+    }
+    add(m, m.x[4] + 1e-14, m.y[4]);
   });
   refused({"counter-clockwise", "-1"}, [](Mesh& m) { std::reverse(m.outline.begin(), m.outline.end()); });
   refused({"meets itself", "0-1", "2-3"}, [](Mesh& m) {
@@ -139,18 +132,13 @@ TEST_CASE("bad meshes and settings of Dirichlet cells are rejected by name", "[r
     m.held.resize(3);
   });
   refused({"5 x", "4 y"}, [](Mesh& m) { m.y.pop_back(); });
-  refused({"node 1", "off its wall 0"}, [](Mesh& m) {
-    m.walls = {{{0, 0.1}, {1, 0}}};
-    m.held[1].one = 0;
-  });
-  refused({"node 4", "inside"}, [](Mesh& m) {
-    m.walls = {{{0, 0.45}, {1, 0}}};
-    m.held[4].one = 0;
-  });
-  refused({"wall 3", "1 walls"}, [](Mesh& m) {
-    m.walls = {{{0, 0}, {1, 0}}};
-    m.held[0].one = 3;
-  });
+  const auto hold = [](Mesh& m, double level, std::size_t node, int wall) {
+    m.walls = {{{0, level}, {1, 0}}};
+    m.held[node].one = wall;
+  };
+  refused({"node 1", "off its wall 0"}, [=](Mesh& m) { hold(m, 0.1, 1, 0); });
+  refused({"node 4", "inside"}, [=](Mesh& m) { hold(m, 0.45, 4, 0); });
+  refused({"wall 3", "1 walls"}, [=](Mesh& m) { hold(m, 0, 0, 3); });
   refused({"direction of wall 0", "= 0", "positive"}, [](Mesh& m) { m.walls = {{{0, 0}, {0, 0}}}; });
   refusals.outside_ranges(
       "Settings", "gravity non-negative and finite; density positive and finite; stabilisation non-negative and finite",
@@ -166,11 +154,10 @@ TEST_CASE("tangling Dirichlet cells stop with time, step and position", "[robust
   Check check("dirichlet_mesh_breakdown", "A jet tangles the outline of the Dirichlet mesh",
               "A free patch whose two ends are thrown at each other: nodes of the outline meet. No flip helps; the run "
               "stops and names the triangle, with the state of before.");
-  Flow flow(jittered(free_patch(16, 8, {-1, -0.5}, {1, 0.5}), 0.2, 1),
-            [](Point r) {
-              return Point{-std::sin(4 * r.x) * std::cosh(4 * r.y), std::cos(4 * r.x) * std::sinh(4 * r.y)};
-            },
-            {.gravity = 0, .stabilisation = 0.1});
+  const auto together = [](Point r) {
+    return Point{-std::sin(4 * r.x) * std::cosh(4 * r.y), std::cos(4 * r.x) * std::sinh(4 * r.y)};
+  };
+  Flow flow(jittered(free_patch(16, 8, {-1, -0.5}, {1, 0.5}), 0.2, 1), together, {.gravity = 0, .stabilisation = 0.1});
   holds_of_breakdown(check, "jet", run_until_breakdown(flow, 20, 0.02), "is inverted", -20, 20);
 }
 

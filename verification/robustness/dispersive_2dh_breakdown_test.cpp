@@ -4,9 +4,10 @@
 #include <memory>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include "seiche/models/dispersive_shallow_water_2d/flow.hpp"
-#include "verification/polynomial_bottom.hpp"
+#include "verification/conservation/dispersive_2dh_problems.hpp"
 #include "verification/robustness/breakdown.hpp"
 
 namespace seiche::verification::dispersive_2dh_breakdown_test {
@@ -17,20 +18,10 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// A square of water 1 deep that stands in water of some depth, without sides.
 Rectangle block(double depth) {
-  using plan_lattice::FreeSide;
-  return {.begin = -6,
-          .end = 6,
-          .south = -6,
-          .north = 6,
-          .columns = 24,
-          .rows = 24,
-          .elevation = [=](double, double) { return 1 - depth; },
-          .sides = {FreeSide{}, FreeSide{}, FreeSide{}, FreeSide{}},
-          .depth = depth};
-}
-
-std::string name_of(Stepping stepping) {
-  return stepping == Stepping::one_step ? "one-step" : "conservative";
+  Rectangle square = free_square();
+  square.elevation = [=](double, double) { return 1 - depth; };
+  square.depth = depth;
+  return square;
 }
 
 TEST_CASE("meshes that tangle, touch their bottom or leave it stop with time, step and position", "[robustness]") {
@@ -38,33 +29,30 @@ TEST_CASE("meshes that tangle, touch their bottom or leave it stop with time, st
               "An eddy shears the mesh until a cell is inverted; a block of water collapses until its edge touches the "
               "level bottom; it spreads until it leaves an uneven bottom that ends; a driven side gives a velocity "
               "that is not a number. Each run stops there with every scheme and reports cause, time and position.");
-  for (const Stepping stepping : {Stepping::one_step, Stepping::conservative}) {
-    const Scheme scheme{.stepping = stepping};
-    Flow eddy(
-        rectangular_lattice({.end = 10, .north = 10, .columns = 20, .rows = 20}),
-        [](double x, double y) {
-          const double k = std::numbers::pi / 10;
-          return Velocity{0.5 * std::sin(k * x) * std::cos(k * y), -0.5 * std::cos(k * x) * std::sin(k * y), 0};
-        },
-        scheme);
-    holds_of_breakdown(check, name_of(stepping) + "-eddy", run_until_breakdown(eddy, 60, 0.1), "mesh tangled", -0.5,
-                       10.5);
+  const auto turning = [](double x, double y) {
+    const double k = std::numbers::pi / 10;
+    return Velocity{0.5 * std::sin(k * x) * std::cos(k * y), -0.5 * std::cos(k * x) * std::sin(k * y), 0};
+  };
+  for (const auto& [name, scheme] : {std::pair{std::string("one-step"), Scheme{.stepping = Stepping::one_step}},
+                                     {"conservative", {.stepping = Stepping::conservative}}}) {
+    Flow eddy(rectangular_lattice({.end = 10, .north = 10, .columns = 20, .rows = 20}), turning, scheme);
+    holds_of_breakdown(check, name + "-eddy", run_until_breakdown(eddy, 60, 0.1), "mesh tangled", -0.5, 10.5);
     Flow collapse(rectangular_lattice(block(0.02)), {}, scheme);
-    holds_of_breakdown(check, name_of(stepping) + "-collapse", run_until_breakdown(collapse, 60, 0.02),
-                       "touches the bottom", -20, 20);
+    holds_of_breakdown(check, name + "-collapse", run_until_breakdown(collapse, 60, 0.02), "touches the bottom", -20,
+                       20);
     Rectangle over_short = block(0.5);
     over_short.bottom = std::make_shared<EndingBottom>(0.5, -7, 7);
     Flow spread(rectangular_lattice(over_short), {}, scheme);
     const Breakdown left = run_until_breakdown(spread, 60, 0.05);
-    holds_of_breakdown(check, name_of(stepping) + "-spread", left, "outside the bottom", -infinite, infinite);
-    check.holds(name_of(stepping) + "-spread-end: The reported position is beyond the end of the bed.",
-                {std::abs(left.place)}, Bound{0.2, "one step's way beyond the end", 7.1});
+    holds_of_breakdown(check, name + "-spread", left, "outside the bottom", -infinite, infinite);
+    check.holds(name + "-spread-end: The reported position is beyond the end of the bed.", {std::abs(left.place)},
+                Bound{0.2, "one step's way beyond the end", 7.1});
     Rectangle driven{.begin = 0, .end = 10, .north = 5, .columns = 20, .rows = 10};
     driven.sides.west = plan_lattice::DrivenSide{[](Place, double time) {
       return Point{time < 1 ? 0.1 * time : std::numeric_limits<double>::quiet_NaN(), 0};
     }};
     Flow bad_side(rectangular_lattice(driven), {}, scheme);
-    holds_of_breakdown(check, name_of(stepping) + "-side", run_until_breakdown(bad_side, 60, 0.1), "not finite", 0, 10);
+    holds_of_breakdown(check, name + "-side", run_until_breakdown(bad_side, 60, 0.1), "not finite", 0, 10);
   }
 }
 

@@ -49,16 +49,15 @@ TEST_CASE("bad meshes and settings of the 2DH model are rejected with name, valu
   lattice({"bends outwards", "(2, 0)", "180"}, [](Lattice& l) {
     for (std::size_t i = 0; i <= 4; ++i) l.y[i] = i > 2 ? -0.2 * static_cast<double>(i - 2) : 0;
   });
-  const auto settings =
-      refusals.with<Settings>([&](const Settings& bad) { Flow flow(rectangular_lattice(still_water()), {}, {}, bad); });
+  const auto use = [](const Settings& s) { Flow(rectangular_lattice(still_water()), {}, {}, s); };
+  const auto settings = refusals.with<Settings>(use);
   refusals.outside_ranges("Settings",
                           "gravity non-negative and finite; inertia in [0.001, 1]; gamma non-negative and finite",
-                          Settings{}, [](const Settings& s) { Flow(rectangular_lattice(still_water()), {}, {}, s); });
+                          Settings{}, use);
   refusals.outside_ranges("DragSettings",
                           "manning non-negative and finite; shore_rate non-negative and finite; lattice_rate "
                           "non-negative and finite; breaking_slope non-negative and finite",
-                          DragSettings{},
-                          [](const DragSettings& s) { Flow(rectangular_lattice(still_water()), {}, {}, {.drag = s}); });
+                          DragSettings{}, [&](const DragSettings& s) { use({.drag = s}); });
   settings({"shore_rate", "shoreline", "south"}, {.drag = {.shore_rate = 1}});
   settings({"absorption", "-1", "non-negative"}, {.drag = {.absorption = [](Point at) { return at.x - 1; }}});
   settings({"tolerance", "0.1"}, {.solver = linear::SolverMethod::iterative, .tolerance = 0.1});
@@ -67,26 +66,23 @@ TEST_CASE("bad meshes and settings of the 2DH model are rejected with name, valu
   });
   refusals.refused({"19 velocities", "20"},
                    [] { Flow flow(rectangular_lattice(still_water()), std::vector<Velocity>(19)); });
-  refusals.refused({"moving window", "WallSide, HeldSide"}, [] {
-    Rectangle free_rear = still_water();
-    free_rear.sides.west = plan_lattice::FreeSide{};
-    Flow flow(rectangular_lattice(free_rear), {}, {}, {}, {}, {.reach = [](double t) { return t; }});
+  const auto moving = [](const Lattice& l, const Settings& s = {}) {
+    Flow flow(l, {}, {}, s, {}, {.reach = [](double t) { return t; }});
+  };
+  const auto window = refusals.of(rectangular_lattice(still_water()), [=](const Lattice& l) { moving(l); });
+  window({"moving window", "WallSide, HeldSide"}, [](Lattice& l) { l.sides.west = plan_lattice::FreeSide{}; });
+  window({"moving window", "north wall", "(2, 3)"}, [](Lattice& l) {
+    l.y[l.shape.node(3, l.shape.rows)] -= 0.1;
+    l.y[l.shape.node(4, l.shape.rows)] -= 0.2;
   });
-  refusals.refused({"moving window", "north wall", "(2, 3)"}, [] {
-    Lattice bent = rectangular_lattice(still_water());
-    bent.y[bent.shape.node(3, bent.shape.rows)] -= 0.1;
-    bent.y[bent.shape.node(4, bent.shape.rows)] -= 0.2;
-    Flow flow(std::move(bent), {}, {}, {}, {}, {.reach = [](double t) { return t; }});
+  window({"moving window", "shoreline"}, [](Lattice& l) {
+    Rectangle beach = still_water();
+    beach.sides.south = plan_lattice::ShoreSide{};
+    beach.bottom = polynomial_bottom({{.coefficient = -1, .y_power = 1}});
+    l = rectangular_lattice(beach);
   });
-  Rectangle beach = still_water();
-  beach.sides.south = plan_lattice::ShoreSide{};
-  beach.bottom = polynomial_bottom({{.coefficient = -1, .y_power = 1}});
-  refusals.refused({"moving window", "shoreline"}, [&] {
-    Flow flow(rectangular_lattice(beach), {}, {}, {}, {}, {.reach = [](double t) { return t; }});
-  });
-  refusals.refused({"moving window", "absorption"}, [] {
-    Flow flow(rectangular_lattice(still_water()), {}, {}, {.drag = {.absorption = [](Point) { return 1.0; }}}, {},
-              {.reach = [](double t) { return t; }});
+  refusals.refused({"moving window", "absorption"}, [&] {
+    moving(rectangular_lattice(still_water()), {.drag = {.absorption = [](Point) { return 1.0; }}});
   });
 }
 

@@ -17,6 +17,10 @@ Channel channel_over(std::vector<double> x, std::vector<double> elevation, End r
   return {.bottom = std::make_shared<PiecewiseLinearBottom>(std::move(x), std::move(elevation)), .right = right};
 }
 
+void flow_over(const Channel& channel, const std::vector<double>& labels) {
+  Flow flow(channel, still_markers(channel, labels));
+}
+
 Markers still_water() {
   return still_markers(level_channel(), {0, 1, 2, 3, 4, 5});
 }
@@ -45,15 +49,11 @@ TEST_CASE("bad constants of a channel are rejected with name, value and range", 
     c.kinetics = Kinetics::green_naghdi;
     c.alpha = 0.2;
   });
-  refusals.refused({"period", "bottom"}, [] {
-    Channel channel{.bottom = std::make_shared<CosineBottom>(1, 0.1, 1), .period = 5};
-    Flow flow(channel, still_markers(channel, {0, 1, 2, 3, 4}));
-  });
-  refusals.refused({"period", "bottom"}, [] {
-    Channel channel = channel_over({0, 4.5}, {-1, -1});
+  for (Channel channel :
+       {Channel{.bottom = std::make_shared<CosineBottom>(1, 0.1, 1)}, channel_over({0, 4.5}, {-1, -1})}) {
     channel.period = 5;
-    Flow flow(channel, still_markers(channel, {0, 1, 2, 3, 4}));
-  });
+    refusals.refused({"period", "bottom"}, [&] { flow_over(channel, {0, 1, 2, 3, 4}); });
+  }
 }
 
 TEST_CASE("bad bottoms are rejected with name, value and range", "[robustness]") {
@@ -70,9 +70,9 @@ TEST_CASE("bad bottoms are rejected with name, value and range", "[robustness]")
   refusals.refused({"begin", "1", "end"},
                    [] { SmoothBottom([](double) { return -1.0; }, [](double) { return 0.0; }, 1, 0); });
   const auto with_slope = [](double slope) {
-    Channel channel{.bottom = std::make_shared<SmoothBottom>(
-                        [](double) { return -1.0; }, [slope](double x) { return x < 0.5 ? slope : 0.0; }, -1, 9)};
-    Flow flow(channel, still_markers(channel, {0, 1, 2, 3, 4, 5}));
+    flow_over({.bottom = std::make_shared<SmoothBottom>([](double) { return -1.0; },
+                                                        [slope](double x) { return x < 0.5 ? slope : 0.0; }, -1, 9)},
+              {0, 1, 2, 3, 4, 5});
   };
   refusals.refused({"slope", "inf", "finite"}, [&] { with_slope(infinity); });
   refusals.refused({"slope", "nan", "finite"}, [&] { with_slope(not_a_number); });
@@ -102,15 +102,14 @@ TEST_CASE("bad nodes are rejected with name, value and range", "[robustness]") {
   refusals.refused({"y[1]", "= 0", "above the bottom"}, [] {
     Channel channel = channel_over({0, 4}, {0, 0}, End::tip);
     channel.left = End::tip;
-    Flow flow(channel, still_markers(channel, {0, 1, 2}));
+    flow_over(channel, {0, 1, 2});
   });
   refusals.refused({"volume of cell 1", "> 0"}, [] {
-    const Channel channel = channel_over({0, 1.1, 1.5, 1.9, 4}, {-1, -1, 3, -1, -1});
-    Flow flow(channel, still_markers(channel, {0, 1, 2, 3, 4}));
+    flow_over(channel_over({0, 1.1, 1.5, 1.9, 4}, {-1, -1, 3, -1, -1}), {0, 1, 2, 3, 4});
   });
   refusals.refused({"mass", "marker 2", "> 0"}, [] {
-    const Channel channel = channel_over({0, 1.55, 1.75, 1.95, 2.05, 2.25, 2.45, 4}, {-1, -1, 4, -1, -1, 4, -1, -1});
-    Flow flow(channel, still_markers(channel, {0, 0.5, 2, 3.5, 4}));
+    flow_over(channel_over({0, 1.55, 1.75, 1.95, 2.05, 2.25, 2.45, 4}, {-1, -1, 4, -1, -1, 4, -1, -1}),
+              {0, 0.5, 2, 3.5, 4});
   });
 }
 
@@ -127,19 +126,15 @@ TEST_CASE("bad starts, schemes and steps are rejected with name, value and range
   refusals.refused({"amplitude", "-0.1"},
                    [&] { solitary_markers(channel, 0, 60, 0.25, {.amplitude = -0.1, .crest = 30}); });
   refusals.refused({"two tips", "one tip at most"}, [] {
-    const Channel bowl{
-        .bottom = std::make_shared<PiecewiseLinearBottom>(std::vector{-22.0, 0.0, 42.0}, std::vector{0.1, -1.0, 1.1}),
-        .left = End::tip,
-        .right = End::tip};
+    Channel bowl = channel_over({-22, 0, 42}, {0.1, -1, 1.1}, End::tip);
+    bowl.left = End::tip;
     solitary_markers(bowl, -20, 20, 0.25, {.amplitude = 0.1, .crest = 0});
   });
   // The rounding of a tip's place on a slope grows with the depth.
   constexpr double deep = 1e5;
   for (int k = 0; k < 50; ++k) {
     const double foot = -deep * (3 + 0.1 * k);
-    const Channel beach{.bottom = std::make_shared<PiecewiseLinearBottom>(std::vector{2 * foot, foot, -foot},
-                                                                          std::vector{-deep, -deep, deep}),
-                        .right = End::tip};
+    const Channel beach = channel_over({2 * foot, foot, -foot}, {-deep, -deep, deep}, End::tip);
     CHECK_NOTHROW(still_markers(beach, {1.5 * foot, 0.5 * foot, 0}));
   }
   refusals.refused({"leapfrog", "one_step", "conservative"}, [] { stepping_named("leapfrog"); });

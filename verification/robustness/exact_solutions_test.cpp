@@ -19,6 +19,7 @@ TEST_CASE("exact solutions reject parameters that have no solution", "[robustnes
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double inf = std::numeric_limits<double>::infinity();
   using Bad = std::invalid_argument;
+  const auto one = [](double) { return 1.0; };
 
   CHECK_THROWS_AS(Riemann(0, {1, 0}, {1, 0}), Bad);
   CHECK_THROWS_AS(Riemann(g, {-1, 0}, {1, 0}), Bad);
@@ -62,14 +63,12 @@ TEST_CASE("exact solutions reject parameters that have no solution", "[robustnes
   CHECK_THROWS_AS(SteadyBump(g, 0.18, 0.33).at(26), Bad);
 
   CHECK_THROWS_AS(MacDonald::smooth_rise(g, 0), Bad);
-  CHECK_THROWS_AS(MacDonald(
-                      g, [](double x) { return x - 5; }, [](double) { return 1.0; }, 1, 0, 10),
-                  Bad);
+  const auto rising = [](double x) { return x - 5; };
+  CHECK_THROWS_AS(MacDonald(g, rising, one, 1, 0, 10), Bad);
   // A kink of the slope inside a panel cannot be integrated to 1e-12.
-  CHECK_THROWS_AS(MacDonald(
-                      g, [](double x) { return 1 + 0.1 * std::abs(x - 0.501); },
-                      [](double x) { return x > 0.501 ? 0.1 : -0.1; }, 1, 0.03, 1),
-                  Bad);
+  const auto kinked = [](double x) { return 1 + 0.1 * std::abs(x - 0.501); };
+  const auto slope = [](double x) { return x > 0.501 ? 0.1 : -0.1; };
+  CHECK_THROWS_AS(MacDonald(g, kinked, slope, 1, 0.03, 1), Bad);
 
   CHECK_THROWS_AS(Thacker(g, 1, 0.5, 1.9), Bad);
   CHECK_THROWS_AS(Thacker(g, 1, 0.5, 4, 1.1), Bad);

@@ -7,20 +7,13 @@
 
 namespace seiche::verification::finite_volume_test {
 
-using shallow_water_finite_volume::End;
-using shallow_water_finite_volume::FiniteVolumeFlow;
+using shallow_water_finite_volume::End, shallow_water_finite_volume::FiniteVolumeFlow;
 using shallow_water_finite_volume::Scheme;
 
 TEST_CASE("finite-volume flow rejects bad input", "[robustness]") {
   using Bad = std::invalid_argument;
-  const std::vector<double> h(8, 1.0);
-  const std::vector<double> q(8, 0.0);
+  const std::vector<double> h(8, 1.0), q(8, 0.0);
   const FiniteVolumeFlow::Settings good;
-  const auto with = [&](auto change) {
-    FiniteVolumeFlow::Settings settings;
-    change(settings);
-    return FiniteVolumeFlow(settings, 0, 1, h, q);
-  };
   const double nan = std::numeric_limits<double>::quiet_NaN();
   CHECK_NOTHROW(FiniteVolumeFlow(good, 0, 1, h, q));
   CHECK_THROWS_AS(FiniteVolumeFlow(good, 1, 0, h, q), Bad);
@@ -35,18 +28,16 @@ TEST_CASE("finite-volume flow rejects bad input", "[robustness]") {
                                  "gravity positive and finite; courant in [1e-06, 1]; viscosity in [0.001, 1]; theta "
                                  "in [1, 2]; manning non-negative and finite; dry_depth positive and finite",
                                  good, [&](const FiniteVolumeFlow::Settings& s) { FiniteVolumeFlow(s, 0, 1, h, q); });
-  CHECK_THROWS_AS(with([](auto& s) { s.left = End::inflow({-1, 0}); }), Bad);
-  FiniteVolumeFlow::Settings roe;
-  roe.scheme = Scheme::roe;
+  using Settings = FiniteVolumeFlow::Settings;
+  CHECK_THROWS_AS(FiniteVolumeFlow(Settings{.left = End::inflow({-1, 0})}, 0, 1, h, q), Bad);
   const Bed slope{[](double x) { return x; }, [](double x) { return x * x / 2; }};
-  CHECK_THROWS_AS(FiniteVolumeFlow(roe, 0, 1, h, q, slope), Bad);
+  CHECK_THROWS_AS(FiniteVolumeFlow(Settings{.scheme = Scheme::roe}, 0, 1, h, q, slope), Bad);
   const Bed wrong{[](double x) { return x; }, [](double x) { return x; }};
   CHECK_THROWS_AS(FiniteVolumeFlow(good, 0, 1, h, q, wrong), Bad);
   const Bed wrong_and_small{[](double x) { return 1e-7 * x; }, [](double x) { return 1e-7 * x; }};
   CHECK_THROWS_AS(FiniteVolumeFlow(good, 0, 1, h, q, wrong_and_small), Bad);
   // What flows in counts before it has come in.
-  FiniteVolumeFlow::Settings fast;
-  fast.left = End::inflow({1, 4});
+  const Settings fast{.left = End::inflow({1, 4})};
   FiniteVolumeFlow onto_dry_bed(fast, 0, 1, q, q);
   CHECK(std::abs(onto_dry_bed.courant_number(0.125) - (4 + std::sqrt(fast.gravity))) < 1e-14);
   CHECK_NOTHROW(march(onto_dry_bed, 0.05));
@@ -65,9 +56,7 @@ TEST_CASE("on a dry bed MacCormack's scheme breaks down and the others do not", 
   std::fill_n(h.begin(), 20, 1.0);
   const std::vector<double> q(60, 0.0);
   for (const Scheme scheme : {Scheme::lax_friedrichs, Scheme::mac_cormack, Scheme::roe, Scheme::muscl_hll}) {
-    FiniteVolumeFlow::Settings settings;
-    settings.scheme = scheme;
-    FiniteVolumeFlow flow(settings, 0, 60, h, q);
+    FiniteVolumeFlow flow({.scheme = scheme}, 0, 60, h, q);
     bool diverged = false;
     try {
       march(flow, 5);

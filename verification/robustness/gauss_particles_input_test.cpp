@@ -75,11 +75,7 @@ TEST_CASE("bad particles, grids and settings of Gauss-principle particles are re
     p.period = 2;
   });
   with_plan({"right_wall", "periodic"}, [](LatticePlan& p) { p.period = 2; });
-  refusals.refused({"two walls that do not meet"}, [] {
-    LatticePlan p = tank();
-    p.bottom = false;
-    Flow flow(layer(water()), std::make_unique<SplineSpace>(p));
-  });
+  with_plan({"two walls that do not meet"}, [](LatticePlan& p) { p.bottom = false; });
   with_plan({"slope jumps", "x = 1"}, [](LatticePlan& p) {
     p.ground.profile =
         std::make_shared<PiecewiseLinearBottom>(std::vector<double>{-1, 1, 4}, std::vector<double>{0, 0, 0.3});
@@ -92,16 +88,9 @@ TEST_CASE("bad particles, grids and settings of Gauss-principle particles are re
                           SplineSpace::Settings{}, [](const SplineSpace::Settings& s) { splines(tank(), s); });
   refusals.refused({"no space"}, [] { Flow flow(layer(water()), nullptr); });
   refusals.refused({"no stream function"}, [] { PolynomialSpace space(std::vector<StreamFunction>{}); });
-  refusals.refused({"depth", "positive"}, [] {
-    Layer dry = water();
-    dry.surface = [](double) { return -1.0; };
-    layer(dry);
-  });
-  refusals.refused({"rows", "at least 6"}, [] {
-    Layer flat = water();
-    flat.rows = 5;
-    layer(flat);
-  });
+  const auto with_water = refusals.of(water(), [](const Layer& l) { layer(l); });
+  with_water({"depth", "positive"}, [](Layer& l) { l.surface = [](double) { return -1.0; }; });
+  with_water({"rows", "at least 6"}, [](Layer& l) { l.rows = 5; });
   refusals.refused({"nan"}, [] { Flow flow(layer(water()), splines(), [](Point) { return Point{not_a_number, 0}; }); });
   refusals.refused({"tau", "= 0.6", "2/sqrt(pi g/h)"}, [] { Flow(layer(water()), splines()).advance(0.6); });
 }
@@ -113,10 +102,8 @@ TEST_CASE("Gauss-principle particles that leave their grid cause a Divergence wi
   const LatticeAt fixed = [](mechanics::Interval, const Bounds&) {
     return Lattice{SplineAxis(3, -2, 0.25, 16, Ends::free), SplineAxis(3, -2, 0.25, 16, Ends::free)};
   };
-  Flow flow(disc(1, 12), std::make_unique<SplineSpace>(Ground{}, fixed, SplineSpace::Settings{}),
-            [](Point) {
-              return Point{1, 0};
-            },
+  const auto along = [](Point) { return Point{1, 0}; };
+  Flow flow(disc(1, 12), std::make_unique<SplineSpace>(Ground{}, fixed, SplineSpace::Settings{}), along,
             {.gravity = 0, .penalty = 0});
   const std::string message = message_of<Divergence>([&] { march(flow, 5, 0.05); });
   INFO(message);

@@ -71,12 +71,12 @@ TEST_CASE("bad constants and walls are rejected with name, value and range", "[r
   Check check("lagrangian_mesh_bad_constants", "Bad constants and walls of the Lagrangian mesh",
               "Settings out of their ranges, invalid curves, layers without water.");
   Refusals refusals(check);
-  const auto refused =
-      refusals.with<Settings>([&](const Settings& settings) { Flow flow(still_water(), {}, {}, settings); });
+  const auto use = [](const Settings& s) { Flow(still_water(), {}, {}, s); };
+  const auto refused = refusals.with<Settings>(use);
   refusals.outside_ranges("Settings",
                           "gravity non-negative and finite; density positive and finite; hourglass non-negative and "
                           "finite; corner_barrier non-negative and finite",
-                          Settings{}, [](const Settings& s) { Flow(still_water(), {}, {}, s); });
+                          Settings{}, use);
   refused({"tolerance", "1e-05", "1e-06"}, {.tolerance = 1e-5});
   refused({"tolerance", "= 0"}, {.tolerance = 0});
   refusals.refused({"iterative", "walls"}, [] {
@@ -129,9 +129,8 @@ TEST_CASE("meshes that cannot be rezoned are rejected with the reason", "[robust
   Mesh piston = layer(4, 4);
   piston.sides.left = MovingWall{.place = constant(0), .velocity = constant(0)};
   refused({"left side", "straight wall"}, piston);
-  refused({"body force"}, layer(4, 4), 0.2, {.surface_pressure = {}, .body_force = [](Point, double) {
-                                               return Point{0, 0};
-                                             }});
+  const auto none = [](Point, double) { return Point{0, 0}; };
+  refused({"body force"}, layer(4, 4), 0.2, {.surface_pressure = {}, .body_force = none});
 }
 
 }  // namespace seiche::verification::lagrangian_mesh_input_test

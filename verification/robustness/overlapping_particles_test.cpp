@@ -1,4 +1,5 @@
 // What overlapping particles refuse, singular configurations among it, and how they break down.
+#include <algorithm>
 #include <limits>
 #include <vector>
 
@@ -45,17 +46,14 @@ TEST_CASE("bad particles, walls and settings are rejected by name", "[robustness
   refused({"2 particles", "at least 3"}, [](Particles& p) {
     p = {.x = {0, 0.1}, .y = {0, 0}, .mass = {1, 1}, .spacing = 0.1};
   });
-  const auto twice = [](Particles& p) {
+  refused({"particles 5 and 9", "one place"}, [](Particles& p) {
     p.x[9] = p.x[5];
     p.y[9] = p.y[5] + 1e-16;
-  };
-  refused({"particles 5 and 9", "one place"}, twice);
+  });
   refused({"singular configuration", "particle 6", "no other control volume", "stabilisation > 0", "support above 2.6"},
           [](Particles& p) { p.x[6] += 10; });
-  refused({"singular configuration", "two particles alone", "stabilisation"}, [](Particles& p) {
-    p.x[6] += 10;
-    p.x[7] += 10;
-  });
+  refused({"singular configuration", "two particles alone", "stabilisation"},
+          [](Particles& p) { std::for_each_n(p.x.begin() + 6, 2, [](double& x) { x += 10; }); });
   const auto setting = refusals.with<Settings>([](const Settings& settings) { Flow flow(block(), {}, settings); });
   refusals.outside_ranges(
       "Settings", "support in [1.5, 10]; gravity non-negative and finite; stabilisation non-negative and finite",
@@ -89,10 +87,8 @@ TEST_CASE("an arrangement that fills a box is singular, and the message names th
   check.holds("Velocities in the full box are zero with stabilisation.", {worst(cured.state().u)},
               Bound{0, "every force is exactly zero"});
   Particles half = full_box();
-  half.x.resize(50);
-  half.y.resize(50);
-  half.mass.resize(50);
-  Flow open(half, {}, {.walls = four_walls});
+  for (auto* values : {&half.x, &half.y, &half.mass}) values->resize(50);
+  const Flow open(half, {}, {.walls = four_walls});
   check.holds("The constraint matrix with a free surface is regular.",
               {open.model().solver().pivot_ratio() > 1e-6 ? 1.0 : 0.0},
               Qualitative{"above 1e-6", "1e4 times the threshold of singularity"});

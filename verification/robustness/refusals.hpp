@@ -1,6 +1,7 @@
 /// Bad input is refused by a std::invalid_argument that names what is wrong.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -38,14 +39,10 @@ class Refusals {
       UNSCOPED_INFO("not a std::invalid_argument: " << other.what());
     }
     INFO(message);
-    bool named = true;
-    std::string wanted;
-    for (const std::string& word : words) {
-      named = named && message.find(word) != std::string::npos;
-      wanted += (wanted.empty() ? "" : ", ") + word;
-    }
+    const auto named = [&](const std::string& word) { return message.find(word) != std::string::npos; };
     check_.holds(
-        of + "Invalid input is rejected with a message that names " + wanted + ".", {named ? 1.0 : 0.0},
+        fmt::format("{}Invalid input is rejected with a message that names {}.", of, fmt::join(words, ", ")),
+        {std::ranges::all_of(words, named) ? 1.0 : 0.0},
         evidence::Qualitative{
             "std::invalid_argument whose message contains all of it",
             "input must be rejected before any computation, with the parameter, its value and the allowed range"});

@@ -27,17 +27,27 @@ std::filesystem::path hdf5_of(const ScratchFolder& scratch, Fill fill) {
   return path;
 }
 
-/// A dataset "h" of doubles whose layout and storage `arrange` decides.
+/// Datasets of doubles whose layout and storage `arrange` decides; the numbers of "h" where some are given.
 template <class Arrange>
-std::filesystem::path dataset(const ScratchFolder& scratch, hsize_t length, Arrange arrange) {
+std::filesystem::path dataset(const ScratchFolder& scratch, hsize_t length, Arrange arrange,
+                              const std::vector<const char*>& names = {"h"}, const std::vector<double>& numbers = {}) {
   return hdf5_of(scratch, [&](hid_t file) {
     const hid_t space = H5Screate_simple(1, &length, nullptr);
     const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
     arrange(properties, space);
-    H5Dclose(H5Dcreate2(file, "h", H5T_IEEE_F64LE, space, H5P_DEFAULT, properties, H5P_DEFAULT));
+    for (const char* name : names) {
+      const hid_t set = H5Dcreate2(file, name, H5T_IEEE_F64LE, space, H5P_DEFAULT, properties, H5P_DEFAULT);
+      if (!numbers.empty()) H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data());
+      H5Dclose(set);
+    }
     H5Pclose(properties);
     H5Sclose(space);
   });
+}
+
+void in_chunks(hid_t properties, hid_t /*space*/) {
+  const hsize_t chunk = 1U << 20U;
+  H5Pset_chunk(properties, 1, &chunk);
 }
 
 std::string reason_of(const std::filesystem::path& path) {
@@ -66,29 +76,14 @@ TEST_CASE("numbers of an HDF5 file that lie in another file are not read", "[rob
 
 TEST_CASE("a dataset that only claims to be large is rejected before it is read", "[robustness]") {
   const ScratchFolder scratch("seiche_strangers");
-  const auto large = dataset(scratch, 2'000'000'000, [](hid_t properties, hid_t) {
-    const hsize_t chunk = 1U << 20U;
-    H5Pset_chunk(properties, 1, &chunk);
-  });
+  const auto large = dataset(scratch, 2'000'000'000, in_chunks);
   CHECK(std::filesystem::file_size(large) < 1'000'000);
   CHECK_THAT(reason_of(large), Catch::Matchers::Contains("2000000000 elements"));
 }
 
 TEST_CASE("the limit is one of the file, not of each dataset", "[robustness]") {
   const ScratchFolder scratch("seiche_strangers");
-  const auto many = hdf5_of(scratch, [&](hid_t file) {
-    const hsize_t length = 30'000'000;
-    const hsize_t chunk = 1U << 20U;
-    const hid_t space = H5Screate_simple(1, &length, nullptr);
-    const hid_t properties = H5Pcreate(H5P_DATASET_CREATE);
-    H5Pset_chunk(properties, 1, &chunk);
-    for (const char* name : {"a", "h"}) {
-      H5Dclose(H5Dcreate2(file, name, H5T_IEEE_F64LE, space, H5P_DEFAULT, properties, H5P_DEFAULT));
-    }
-    H5Pclose(properties);
-    H5Sclose(space);
-  });
-  const io::Table table = io::read_hdf5(many);
+  const io::Table table = io::read_hdf5(dataset(scratch, 30'000'000, in_chunks, {"a", "h"}));
   CHECK(table.has("a"));
   CHECK(table.unusable.count("h") == 1);
 }
@@ -112,14 +107,8 @@ TEST_CASE("damage to numbers that carry checksums is seen", "[robustness]") {
   std::ofstream(path, std::ios::binary) << bytes;
   CHECK(io::read_hdf5(path).unusable.count("h") == 1);
 
-  CHECK_FALSE(io::has_checksums(hdf5_of(scratch, [&](hid_t file) {
-    const hsize_t length = h.size();
-    const hid_t space = H5Screate_simple(1, &length, nullptr);
-    const hid_t set = H5Dcreate2(file, "h", H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
-    H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, h.data());
-    H5Dclose(set);
-    H5Sclose(space);
-  })));
+  CHECK_FALSE(io::has_checksums(dataset(
+      scratch, h.size(), [](hid_t, hid_t) {}, {"h"}, h)));
 }
 
 TEST_CASE("a file takes the place of a file, not of a pipe, a folder or a link", "[robustness]") {

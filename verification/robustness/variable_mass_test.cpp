@@ -19,18 +19,12 @@ Mesh box() {
   return layer_mesh({.end = 1, .columns = 8, .rows = 8});
 }
 
-/// A wave of this height that a wall at either end sets up.
-Start wave(double height) {
-  return {.elevation = [=](double x) { return height * std::cos(3.141592653589793 * x); }};
-}
-
 /// A run until it breaks down, with the masses among what must be as before.
-template <class Advance>
-Breakdown run_until_break(Flow& flow, double end, const Advance& advance) {
+Breakdown run_until_break(Flow& flow, double end, double tau) {
   std::vector<double> masses;
   Breakdown result = run_until_breakdown(flow, end, [&](Flow& f) {
     masses.assign(f.masses().begin(), f.masses().end());
-    advance(f);
+    f.advance(tau);
   });
   result.kept = result.kept && std::equal(masses.begin(), masses.end(), flow.masses().begin());
   return result;
@@ -82,9 +76,7 @@ TEST_CASE("a step that exchanges more mass than available, or does not converge,
   Check check("variable_mass_exchange_limits", "Exchanges that no step can hold",
               "Three bodies of mass 1. One gives away more mass than it has; or the three exchange a large mass in a "
               "ring, which leaves their masses unchanged but prevents convergence.");
-  const std::vector<double> masses(3, 1.0);
-  const std::vector<double> x{0.25, 0.5, 0.75};
-  const std::vector<double> y(3, 0.0);
+  const std::vector<double> masses(3, 1.0), x{0.25, 0.5, 0.75}, y(3, 0.0);
   Convection convection;
   const std::string given = message_of<mechanics::Infeasible>([&] {
     convection.begin(masses, std::vector<Exchange>{{1, 2, 1.5}}, {x, y});
@@ -97,14 +89,10 @@ TEST_CASE("a step that exchanges more mass than available, or does not converge,
   convection.begin(masses, std::vector<Exchange>{{0, 1, 30}, {1, 2, 30}, {2, 0, 30}}, {x, y});
   const std::vector<double> u{1, 0, -0.5, 0, 0.3, 0.2};
   std::vector<double> mean = u;
-  const std::string unsettled = message_of<mechanics::Infeasible>([&] {
-    convection.settle(
-        u,
-        [&](std::span<double> momenta) {
-          for (std::size_t i = 0; i < 6; ++i) momenta[i] /= convection.mean_masses()[i % 3];
-        },
-        0, mean);
-  });
+  const auto respond = [&](std::span<double> momenta) {
+    for (std::size_t i = 0; i < 6; ++i) momenta[i] /= convection.mean_masses()[i % 3];
+  };
+  const std::string unsettled = message_of<mechanics::Infeasible>([&] { convection.settle(u, respond, 0, mean); });
   INFO(unsettled);
   check.holds(
       "The run stops when an iteration does not converge.",
@@ -116,15 +104,15 @@ TEST_CASE("variable masses that cannot continue stop with time, step and positio
   Check check("variable_mass_breakdown", "Variable masses break down",
               "A free patch whose two ends are thrown at each other: nodes of the outline meet. A wave of the height "
               "of the box: its surface overturns. Both stop with state and masses as before the step.");
-  Flow jet(jittered(free_patch(16, 8, {-1, -0.5}, {1, 0.5}), 0.2, 1),
-           {.velocity =
-                [](Point r) {
-                  return Point{-std::sin(4 * r.x) * std::cosh(4 * r.y), std::cos(4 * r.x) * std::sinh(4 * r.y)};
-                }},
+  const auto together = [](Point r) {
+    return Point{-std::sin(4 * r.x) * std::cosh(4 * r.y), std::cos(4 * r.x) * std::sinh(4 * r.y)};
+  };
+  Flow jet(jittered(free_patch(16, 8, {-1, -0.5}, {1, 0.5}), 0.2, 1), {.velocity = together},
            {ControlKind::centroid, 1, 0}, {.gravity = 0, .stabilisation = 0.1});
-  holds_of_breakdown(check, "jet", run_until_break(jet, 20, [](Flow& f) { f.advance(0.02); }), "is inverted", -20, 20);
-  Flow high(layer_mesh({.end = 1, .columns = 16, .rows = 8}), wave(0.45), {ControlKind::mapped, 1, 1});
-  holds_of_breakdown(check, "high-wave", run_until_break(high, 20, [](Flow& f) { f.advance(0.01); }), "", 0, 1);
+  holds_of_breakdown(check, "jet", run_until_break(jet, 20, 0.02), "is inverted", -20, 20);
+  const auto wave = [](double x) { return 0.45 * std::cos(3.141592653589793 * x); };
+  Flow high(layer_mesh({.end = 1, .columns = 16, .rows = 8}), {.elevation = wave}, {ControlKind::mapped, 1, 1});
+  holds_of_breakdown(check, "high-wave", run_until_break(high, 20, 0.01), "", 0, 1);
 }
 
 }  // namespace seiche::verification::variable_mass_test

@@ -28,10 +28,11 @@ void refuse(const Particles& particles, const Settings& settings, const std::str
   CHECK_THROWS_AS(Flow(particles, spacing, settings), std::invalid_argument);
 }
 
-Settings with(const std::function<void(Settings&)>& change) {
-  Settings settings = good;
-  change(settings);
-  return settings;
+/// Something good, changed.
+template <class Good, class Change>
+Good with(Good it, const Change& change) {
+  change(it);
+  return it;
 }
 
 TEST_CASE("settings out of range are rejected by name", "[robustness]") {
@@ -42,7 +43,7 @@ TEST_CASE("settings out of range are rejected by name", "[robustness]") {
   Check check("wcsph_bad_settings", "Bad settings of SPH", "Each number outside of its range.");
   Refusals refusals(check);
   const auto viscous = [&](const auto& viscosity) {
-    Flow(water, spacing, with([&](Settings& s) { s.viscosity = viscosity; }));
+    Flow(water, spacing, with(good, [&](Settings& s) { s.viscosity = viscosity; }));
   };
   refusals.outside_ranges(
       "Settings",
@@ -54,20 +55,16 @@ TEST_CASE("settings out of range are rejected by name", "[robustness]") {
                           "kinematic_viscosity non-negative and finite; smagorinsky non-negative and finite; isotropic "
                           "non-negative and finite",
                           LaminarSps{}, viscous);
-  refuse(water, with([](Settings& s) { s.filter_every = -1; }), "filter");
-  refuse(water, with([](Settings& s) { s.lanes = 1; }), "lanes = 1");
+  refuse(water, with(good, [](Settings& s) { s.filter_every = -1; }), "filter");
+  refuse(water, with(good, [](Settings& s) { s.lanes = 1; }), "lanes = 1");
   // Three supports with their skin: 3 x 2 x 0.13 x 1.15 m.
-  refuse(lattice(8, 8, spacing, 1000), with([](Settings& s) { s.period = {0.8, 0.8}; }), "period");
+  refuse(lattice(8, 8, spacing, 1000), with(good, [](Settings& s) { s.period = {0.8, 0.8}; }), "period");
   CHECK_THROWS_WITH(kernel_named("gaussian"), Catch::Contains("cubic_spline") && Catch::Contains("wendland_c2"));
 }
 
 TEST_CASE("invalid particles are rejected", "[robustness]") {
   const Particles water = lattice(12, 12, spacing, 1000);
-  const auto changed = [&](const std::function<void(Particles&)>& change) {
-    Particles particles = water;
-    change(particles);
-    return particles;
-  };
+  const auto changed = [&](const auto& change) { return with(water, change); };
   const double nan = std::numeric_limits<double>::quiet_NaN();
   refuse(changed([&](Particles& p) { p.x[17] = nan; }), good, "17");
   refuse(changed([&](Particles& p) { p.w[17] = nan; }), good, "17");
@@ -97,9 +94,7 @@ TEST_CASE("the motion of a paddle is evaluated by one thread, few times a step, 
   Scene scene = flume({.length = 1, .depth = 0.25, .stroke = 0.05, .frequency = 12, .spacing = 0.005}, settings);
   const int usual = omp_get_max_threads();
   omp_set_num_threads(2);
-  std::atomic<long> calls = 0;
-  std::atomic<long> in_parallel = 0;
-  std::atomic<long> before_zero = 0;
+  std::atomic<long> calls = 0, in_parallel = 0, before_zero = 0;
   double last = std::numeric_limits<double>::infinity();
   const auto watched = [&](const std::function<Pose(double)>& motion) {
     return [&, motion](double time) {
@@ -110,8 +105,10 @@ TEST_CASE("the motion of a paddle is evaluated by one thread, few times a step, 
       return motion(time);
     };
   };
-  for (Paddle& paddle : scene.paddles)
-    paddle = {paddle.hinge_x, paddle.hinge_z, watched(paddle.pose), watched(paddle.rate)};
+  for (Paddle& paddle : scene.paddles) {
+    paddle.pose = watched(paddle.pose);
+    paddle.rate = watched(paddle.rate);
+  }
   Flow flow(scene.particles, scene.spacing, settings, scene.paddles);
   long most = 0;
   for (int n = 0; n < 100; ++n) {
@@ -126,16 +123,14 @@ TEST_CASE("the motion of a paddle is evaluated by one thread, few times a step, 
   omp_set_num_threads(usual);
   CHECK(flow.particles().x == x);
   CHECK(flow.time() == time);
-  const auto claim = [&](const std::string& text, double value, double limit, const std::string& reason) {
-    check.holds(text, {value}, Bound{limit, reason});
-  };
-  claim("The paddle's functions are called outside of parallel loops.", static_cast<double>(in_parallel), 0,
-        "they are the user's, and may throw or share data");
-  claim("The paddle's functions are called at times from 0 on.", static_cast<double>(before_zero), 0,
-        "a measured motion begins at 0");
-  claim("The paddle's functions are called a few times a step.", static_cast<double>(most), 20,
-        "pose and rate at two instants for each of at most three evaluations, and at one for each of at most four "
-        "positions: 20");
+  check.holds("The paddle's functions are called outside of parallel loops.", {static_cast<double>(in_parallel)},
+              Bound{0, "they are the user's, and may throw or share data"});
+  check.holds("The paddle's functions are called at times from 0 on.", {static_cast<double>(before_zero)},
+              Bound{0, "a measured motion begins at 0"});
+  check.holds("The paddle's functions are called a few times a step.", {static_cast<double>(most)},
+              Bound{20,
+                    "pose and rate at two instants for each of at most three evaluations, and at one for each of at "
+                    "most four positions: 20"});
 }
 
 TEST_CASE("a computation that breaks down reports time and position, and retains the last valid state",

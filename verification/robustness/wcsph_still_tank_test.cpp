@@ -12,9 +12,7 @@ namespace seiche::verification::wcsph_still_tank_test {
 
 using namespace wcsph;
 
-constexpr double gravity = 9.81;
-constexpr double width = 1;
-constexpr double depth = 0.5;
+constexpr double gravity = 9.81, width = 1, depth = 0.5;
 
 /// Rms errors of the pressure over rho_0 g H: of all water, and farther than 3.5 smoothing lengths from walls.
 struct Errors {
@@ -24,8 +22,7 @@ struct Errors {
 /// A lattice of water with three rows of wall particles that continue it, without pressure of their own.
 Particles full_rows(double spacing, const Settings& settings) {
   const TaitFluid water(settings.density, settings.sound_speed);
-  const long columns = std::lround(width / spacing);
-  const long rows = std::lround(depth / spacing);
+  const long columns = std::lround(width / spacing), rows = std::lround(depth / spacing);
   Particles particles;
   for (long j = -3; j < rows + 4; ++j) {
     for (long i = -3; i < columns + 3; ++i) {
@@ -71,10 +68,8 @@ TEST_CASE("the effect of options on the pressure of a tank at rest", "[robustnes
               "walls push only after compression by the water, and the pressure wave of this start stays in their "
               "densities. Extrapolation from the water with its hydrostatic gradient finds the right pressure at once.",
               "P = rho_0 g (H - z)");
-  Settings filtered, diffusive, extrapolated;
-  filtered.filter_every = 30;
-  diffusive.density_diffusion = 0.1;
-  extrapolated.walls = WallPressure::extrapolated;
+  const Settings filtered{.filter_every = 30}, diffusive{.density_diffusion = 0.1},
+      extrapolated{.walls = WallPressure::extrapolated};
   const auto claim = [&](const std::string& source, const std::string& id, const std::string& text,
                          const std::string& quantity, double value, double limit, const std::string& reason) {
     check.from(source).that(id, text, quantity, {value}, Bound{limit, reason});
