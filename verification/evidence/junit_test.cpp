@@ -91,19 +91,21 @@ TEST_CASE("JUnit carries the numbers of a claim and the facts of its run as prop
   Junit junit;
   write(sample("seiche"), junit.scratch.path());
   const pugi::xml_node suite = find(junit.read(), "evidence.sample");
-  CHECK(property(suite, "wall_time") == "1.5");
-  CHECK(property(suite, "tier") == "quick");
-  CHECK(property(suite, "solver") == "seiche");
+  using Facts = std::map<std::string, std::string>;
+  for (const auto& [name, value] : Facts{{"wall_time", "1.5"}, {"tier", "quick"}, {"solver", "seiche"}}) {
+    CHECK(property(suite, name) == value);
+  }
   CHECK_FALSE(property(suite, "commit").empty());
-  const pugi::xml_node test = find(suite, "pass");
-  CHECK(property(test, "measured") == "0.5");
-  CHECK(property(test, "uncertainty") == "0.1");
-  CHECK(property(test, "limit") == "1");
-  CHECK(property(test, "expected") == "0");
-  CHECK(property(test, "unit") == "m");
-  CHECK(property(test, "resolution") == "N = 10");
-  CHECK(property(test, "verdict") == "pass");
-  CHECK(property(test, "declared") == "pass");
+  for (const auto& [name, value] : Facts{{"measured", "0.5"},
+                                         {"uncertainty", "0.1"},
+                                         {"limit", "1"},
+                                         {"expected", "0"},
+                                         {"unit", "m"},
+                                         {"resolution", "N = 10"},
+                                         {"verdict", "pass"},
+                                         {"declared", "pass"}}) {
+    CHECK(property(find(suite, "pass"), name) == value);
+  }
 }
 
 TEST_CASE("JUnit totals equal the sums over suites, and tests of several records of one case have different names",
