@@ -21,8 +21,7 @@ TEST_CASE("the rate of a front is found beside its shift", "[evidence]") {
   const auto front = [](double T) { return 1 + T * T / (1 + 0.55 * T); };
   const auto [T, X] = sampled(0, 10, 2000, front);
   ColumnFront data{.uncertainty = 0.05, .time_uncertainty = 0.05};
-  constexpr double shift = 0.17;
-  constexpr double rate = 1.054;
+  constexpr double shift = 0.17, rate = 1.054;
   for (int k = 2; k <= 15; ++k) {
     data.T.push_back(0.55 * k);
     data.X.push_back(front(rate * (data.T.back() - shift)));

@@ -80,8 +80,7 @@ TEST_CASE("diagnostics for series return known values", "[evidence]") {
   exactly("peak-time", "The time of a peak between the points is exact to round-off.", peak.time(), 1.3, 20, 6, three);
 
   std::vector<double> harmonics;
-  constexpr double frequency = 2.7;
-  constexpr double tau = 0.11;
+  constexpr double frequency = 2.7, tau = 0.11;
   for (int n = 0; n < 200; ++n) {
     const double phase = frequency * tau * n + 0.4;
     harmonics.push_back(0.2 + 1.5 * std::cos(phase) + 0.3 * std::sin(2 * phase));

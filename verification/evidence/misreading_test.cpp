@@ -68,8 +68,7 @@ TEST_CASE("a misreading of a curve is found, with its factor or shift", "[eviden
         "a time at the middle of the series, 10 s from its beginning, " + lines);
   const auto sum = [](double t) { return 0.3 * t - 0.1 * std::cos(t) + 0.04 / 0.37 * std::sin(0.37 * t + 0.5); };
   const auto mean = [&](double t) {  // over 4 s, a fifth of the series
-    const double from = std::max(t - 2, 0.0);
-    const double to = std::min(t + 2, 20.0);
+    const double from = std::max(t - 2, 0.0), to = std::min(t + 2, 20.0);
     return (sum(to) - sum(from)) / (to - from);
   };
   found("smeared", sampled(mean), Kind::smeared, 0.2, 3 * line / 20,

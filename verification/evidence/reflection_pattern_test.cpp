@@ -18,8 +18,7 @@ namespace seiche::verification::reflection_pattern_test {
 
 using namespace validation;
 
-constexpr double a = 0.3;
-constexpr double spacing = 0.5;
+constexpr double a = 0.3, spacing = 0.5;
 const double S = std::sqrt(3 * a);
 
 /// Error of the parabola through three nodes of a crest 1 - s^2 + 2 s^4/3, s = S x/2 in units of its width: with nodes
@@ -103,8 +102,7 @@ void claim_pattern(Check& check, const Configuration& configuration) {
 /// Rows of the surface above one another, and the crests found on them.
 void draw(Check& check) {
   const ExactReflection waves(a, 0.5);
-  const double t = time_of(waves);
-  const double height = height_of(waves);
+  const double t = time_of(waves), height = height_of(waves);
   const SampledReflection sampled(waves, t, height, spacing);
   const SurfaceLattice surface = sampled.lattice();
   const ReflectionPattern pattern = measured_reflection(surface, a);

@@ -27,9 +27,7 @@ const std::string linear_theory =
     "linear response of one Fourier mode, N'' + T N = -T P, to p = -p0 sin t sin(x - t); derived in "
     "pressure_forced_wave.hpp";
 
-constexpr double period = 2 * std::numbers::pi;
-constexpr double last_frame = 7.4;
-constexpr double tolerance = 2e-11;
+constexpr double period = 2 * std::numbers::pi, last_frame = 7.4, tolerance = 2e-11;
 
 /// Of the surface after `steps` steps of fifth order whose errors of fourth are kept at the tolerance, that change the
 /// velocity and therefore act for the whole time.

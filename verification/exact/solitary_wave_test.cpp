@@ -142,8 +142,7 @@ TEST_CASE("speed, mass and energy of solitary waves are largest below the limiti
     double (SolitaryWave::*value)() const;
     double at;
   };
-  double largest_speed = 0;
-  double fastest = 0;
+  double largest_speed = 0, fastest = 0;
   for (const Maximum& maximum : {Maximum{"speed", "speed", &SolitaryWave::froude, 0.795908},
                                  Maximum{"mass", "mass", &SolitaryWave::mass, 0.738847},
                                  Maximum{"energy", "kinetic energy", &SolitaryWave::kinetic_energy, 0.782694}}) {

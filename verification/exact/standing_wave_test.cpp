@@ -48,8 +48,7 @@ Residuals free_surface(const StandingWave& w) {
   Residuals worst;
   for (int i = 0; i <= 12; ++i) {
     for (int j = 0; j < 16; ++j) {
-      const double x = pi * i / 12;
-      const double t = w.period() * (j + 0.3) / 16;
+      const double x = pi * i / 12, t = w.period() * (j + 0.3) / 16;
       const double eta = w.elevation(x, t);
       const auto [u, v] = w.velocity(x, eta, t);
       const double rise = difference([&](double d) { return w.elevation(x, t + d); }, span);

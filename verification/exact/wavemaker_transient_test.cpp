@@ -18,11 +18,7 @@ using validation::evenly;
 
 const std::string source = "Kennard, Quart. Appl. Math. 7 (1949) 303; Joo, Schultz and Messiter (1990)";
 
-constexpr double g = 9.81;
-constexpr double depth = 4;
-constexpr double period = 4.7;
-constexpr double stroke = 2.11;
-constexpr double gauge = 27.3;
+constexpr double g = 9.81, depth = 4, period = 4.7, stroke = 2.11, gauge = 27.3;
 constexpr double omega = 2 * std::numbers::pi / period;
 
 WavemakerTransient flume() {
