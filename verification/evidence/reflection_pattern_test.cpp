@@ -203,9 +203,7 @@ TEST_CASE("amplitudes, angles and stem of a reflection are recovered from its su
   claim_order("five-nodes", "five", five_nodes, 6);
   draw(check);
 
-  std::vector<double> x(25);
-  std::vector<double> y(25);
-  std::vector<double> z(25);
+  std::vector<double> x(25), y(25), z(25);
   const SurfaceLattice flat{4, 4, x, y, z};
   CHECK_THROWS_AS(measured_reflection(flat, a), std::runtime_error);
   CHECK_THROWS_AS(measured_reflection({4, 5, x, y, z}, a), std::invalid_argument);

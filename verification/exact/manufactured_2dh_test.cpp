@@ -32,8 +32,8 @@ class Snapshot {
     const double w = p.frequency;
     for (Eigen::Index i = 0; i < period_points; ++i) {
       for (Eigen::Index j = 0; j < period_points; ++j) {
-        const double X = 2 * pi * static_cast<double>(i) / period_points,
-                     Y = 2 * pi * static_cast<double>(j) / period_points;
+        const double X = 2 * pi * static_cast<double>(i) / period_points;
+        const double Y = 2 * pi * static_cast<double>(j) / period_points;
         const double one = p.amplitude * std::sin(X) * std::cos(Y);
         const double two = 0.7 * p.amplitude * std::cos(X) * std::sin(Y);
         const double three = 0.3 * p.amplitude * std::cos(2 * X) * std::sin(2 * Y);
