@@ -201,18 +201,16 @@ TEST_CASE("every measure of a curve follows by hand, with the uncertainty that i
     }
     const evidence::Table& table = record.tables().front();
     CHECK(table.id == "gauge-measures");
-    const auto at = [&](std::size_t k) { return std::get<double>(table.rows.front().at(k)); };
-    const std::vector<std::pair<std::string, double>> entries{{"points", 4},
-                                                              {"coverage", 1},
-                                                              {"relative L1", rows[1].value},
-                                                              {"relative L2", rows[2].value},
-                                                              {"relative Linf", 0.25},
-                                                              {"skill", rows[8].value},
-                                                              {"amplitude ratio", rows[4].value}};
-    for (std::size_t k = 0; k < entries.size(); ++k) {
-      CHECK((table.columns.at(k + 2).first == entries[k].first && at(k + 2) == Approx(entries[k].second)));
+    const auto& row = table.rows.front();
+    std::size_t column = 2;
+    for (const auto& [name, value] :
+         {std::pair("points", 4.0), std::pair("coverage", 1.0), std::pair("relative L1", rows[1].value),
+          std::pair("relative L2", rows[2].value), std::pair("relative Linf", 0.25), std::pair("skill", rows[8].value),
+          std::pair("amplitude ratio", rows[4].value)}) {
+      CHECK((table.columns.at(column).first == name && std::get<double>(row.at(column)) == Approx(value)));
+      ++column;
     }
-    CHECK((table.columns.back().first == "error of the peak" && at(table.columns.size() - 1) == 0.5));
+    CHECK((table.columns.back().first == "error of the peak" && std::get<double>(row.back()) == 0.5));
     const evidence::Panel& panel = record.figures().front().panels().front();
     CHECK(
         (panel.axes().x == "t [s]" && panel.axes().y == "elevation eta [m]" && record.figures().front().id == "gauge"));
