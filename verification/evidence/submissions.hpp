@@ -33,9 +33,9 @@ inline validation::WantedTable wanted_elevation(const std::string& name, validat
       .kind = kind,
       .abscissa = series ? t : x,
       .quantities = {{.column = {"eta", "m", "elevation"}, .reference = std::move(reference)}},
-      .groups = groups,
-      .points = [points = std::move(points)](double) { return points; }};
+      .groups = groups};
   if (!groups.empty()) wanted.group = series ? x : t;
+  if (!points.empty()) wanted.points = [points = std::move(points)](double) { return points; };
   return wanted;
 }
 
