@@ -171,7 +171,7 @@ double tangent_of(const PressureForcedWave& wave) {
 }
 
 void claim_convergence(Check& check, const PressureForcedWave& wave) {
-  constexpr std::array coarser{std::pair<std::size_t, double>{128, 1e-8}, {192, 1e-9}};
+  constexpr std::array coarser{std::pair(128UL, 1e-8), std::pair(192UL, 1e-9)};
   evidence::Table table{.id = "convergence",
                         .title = "Distance of the surface from the surface with 256 nodes and tolerance 2e-11",
                         .caption = "Hausdorff distances; the time of the first vertical tangent.",
