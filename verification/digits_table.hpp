@@ -24,20 +24,14 @@ inline double half_unit(const std::string& printed) {
   return 0.5 * std::pow(10.0, -static_cast<double>(decimals));
 }
 
-/// How well the numbers of a table are known, relative to each, apart from their digits.
-struct Accuracy {
-  double relative = 1e-14;
-  std::string reason = "1e-14 of the value, 45 roundings";
-};
-
-/// Passes when every value is within half a unit of the last decimal printed or within the accuracy, whichever is
-/// larger; the measured number is the worst deviation in units of that.
+/// Passes when every value is within half a unit of the last decimal printed or within 1e-14 of it, 45 roundings,
+/// whichever is larger; the measured number is the worst deviation in units of that.
 inline void check_table(Check& check, const std::string& id, const std::string& quantity,
-                        const std::vector<Printed>& rows, const std::string& source, const Accuracy& accuracy = {}) {
+                        const std::vector<Printed>& rows, const std::string& source) {
   Largest worst;
   for (const Printed& row : rows) {
     const double expected = std::stod(row.printed);
-    const double limit = std::max(half_unit(row.printed), accuracy.relative * std::abs(expected));
+    const double limit = std::max(half_unit(row.printed), 1e-14 * std::abs(expected));
     const double deviation = std::abs(row.value - expected) / limit;
     INFO(quantity << ": " << row.value << " for " << row.printed);
     CHECK(deviation <= 1);
@@ -49,7 +43,7 @@ inline void check_table(Check& check, const std::string& id, const std::string& 
        .quantity = "largest deviation, in units of the rounding of the printed digits",
        .source = source},
       {.value = worst.value()},
-      evidence::Bound{1, "half a unit of the last digit printed or, where larger, " + accuracy.reason});
+      evidence::Bound{1, "half a unit of the last digit printed or, where larger, 1e-14 of the value, 45 roundings"});
 }
 
 }  // namespace seiche::verification

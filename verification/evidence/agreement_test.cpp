@@ -2,31 +2,16 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
-#include <vector>
 
 #include "validation/instruments/agreement.hpp"
 #include "verification/check.hpp"
+#include "verification/evidence/known_curve.hpp"
 
 namespace seiche::verification::agreement_test {
 
 using namespace validation;
 
 constexpr double pi = std::numbers::pi;
-
-struct Points {
-  std::vector<double> x, y;
-  [[nodiscard]] Curve curve() const { return {x, y}; }
-};
-
-template <class Function>
-Points sampled(double from, double to, int intervals, Function f) {
-  Points points;
-  for (int k = 0; k <= intervals; ++k) {
-    points.x.push_back(std::lerp(from, to, static_cast<double>(k) / intervals));
-    points.y.push_back(f(points.x.back()));
-  }
-  return points;
-}
 
 TEST_CASE("measures of agreement have their known values", "[evidence]") {
   Check check("measures_of_agreement", "Measures of agreement",

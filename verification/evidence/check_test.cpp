@@ -22,10 +22,6 @@ class Elsewhere {
   Elsewhere() : before_(std::getenv("SEICHE_EVIDENCE") == nullptr ? "" : std::getenv("SEICHE_EVIDENCE")) {
     setenv("SEICHE_EVIDENCE", folder_.path().c_str(), 1);
   }
-  Elsewhere(const Elsewhere&) = delete;
-  Elsewhere& operator=(const Elsewhere&) = delete;
-  Elsewhere(Elsewhere&&) = delete;
-  Elsewhere& operator=(Elsewhere&&) = delete;
   ~Elsewhere() { before_.empty() ? unsetenv("SEICHE_EVIDENCE") : setenv("SEICHE_EVIDENCE", before_.c_str(), 1); }
   [[nodiscard]] std::filesystem::path file(const std::string& record) const {
     return folder_.path() / (record + ".json");

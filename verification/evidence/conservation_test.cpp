@@ -1,31 +1,20 @@
 // Histories of volume, energy and momentum that come with a result.
-#include <sstream>
-#include <stdexcept>
-
 #include <fmt/format.h>
 
-#include "seiche/io/text_table.hpp"
 #include "validation/scoring/conservation.hpp"
 #include "verification/check.hpp"
+#include "verification/evidence/says.hpp"
+#include "verification/evidence/submissions.hpp"
 #include "verification/message_of.hpp"
 
 namespace seiche::verification::conservation_test {
 
 using namespace validation;
 
-std::vector<WantedTable> wanted_gauge() {
-  return {{.name = "gauge",
-           .kind = WantedTable::Kind::series,
-           .abscissa = Column{"t", "s", "time"},
-           .quantities = {{.column = {"eta", "m", "elevation"}, .reference = [](Place) { return 0.0; }}},
-           .points = [](double) {
-             return std::vector<double>{0, 1};
-           }}};
-}
-
-io::Table table(const std::string& text, const std::string& name) {
-  std::istringstream in(text);
-  return io::read_csv(in, name);
+/// What is found of a history among files, in a case that asks for a gauge.
+History taken(std::vector<io::Table>& files, const ColumnNames& renamed = {}) {
+  return take_history(files, {wanted_elevation("gauge", WantedTable::Kind::series, [](Place) { return 0; }, {0, 1})},
+                      renamed);
 }
 
 /// Verdict of a claim about a history, by phenomenon; "not scored" where it is left out.
@@ -34,16 +23,13 @@ std::string verdict(const std::string& phenomenon, const std::string& quantity, 
   for (std::size_t k = 0; k < values.size(); ++k) history["t"].push_back(static_cast<double>(k));
   evidence::Record record;
   judge_history(phenomenon, history, record);
-  for (const evidence::JudgedClaim& claim : record.claims()) {
-    if (claim.claim.id == "conserved-" + quantity) return std::string(evidence::name(claim.judgement.verdict));
-  }
-  return record.left_out().empty() ? "no claim" : "not scored";
+  return record.left_out().empty() ? verdict_of(record, "conserved-" + quantity) : "not scored";
 }
 
 std::string refusal(const std::string& text) {
   return message_of([&] {
-    std::vector<io::Table> files{table(text, "mine.csv")};
-    take_history(files, wanted_gauge(), {});
+    std::vector<io::Table> files{file_of(text, "mine.csv")};
+    taken(files);
   });
 }
 
@@ -51,10 +37,7 @@ TEST_CASE("histories of volume, energy and momentum are assessed by the invarian
   Check check("conservation_scores", "What a result conserves",
               "Histories that are constant, decrease, increase, or return, in flows that conserve them and in flows "
               "that do not.");
-  const auto is = [&](const std::string& text, const std::string& got, const std::string& expected) {
-    check.holds(text, {got.find(expected) != std::string::npos ? 1.0 : 0.0},
-                Qualitative{"\"" + expected + "\"", "it was made so"});
-  };
+  const auto is = [&](const auto&... words) { says(check, words...); };
   is("A constant volume passes the conservation score.", verdict("dam_break", "volume", {5, 5.004, 4.996}), "pass");
   is("A volume loss of 0.15 % fails the conservation score.", verdict("dam_break", "volume", {5, 5, 4.9925}), "fail");
   is("A volume gain of 0.15 % fails the conservation score.", verdict("dam_break", "volume", {5, 5.0075}), "fail");
@@ -74,17 +57,18 @@ TEST_CASE("histories of volume, energy and momentum are assessed by the invarian
   is("The momentum of water started from rest is not scored.", verdict("standing_wave", "momentum", {0, 1}),
      "not scored");
 
-  std::vector<io::Table> files{table("t,eta\n0,0\n1,0\n", "gauge.csv"), table("t,volume\n0,3\n1,3\n", "volume.csv")};
-  const History found = take_history(files, wanted_gauge(), {});
+  std::vector<io::Table> files{file_of("t,eta\n0,0\n1,0\n", "gauge.csv"),
+                               file_of("t,volume\n0,3\n1,3\n", "volume.csv")};
+  const History found = taken(files);
   is("A conservation history is separated from the other files.",
      fmt::format("{} file, {} columns", files.size(), found.size()), "1 file, 2 columns");
-  std::vector<io::Table> one{table("t,eta,energy\n0,0,1\n1,0,1\n", "both.csv")};
-  const History beside = take_history(one, wanted_gauge(), {});
+  std::vector<io::Table> one{file_of("t,eta,energy\n0,0,1\n1,0,1\n", "both.csv")};
+  const History beside = taken(one);
   is("A file with the columns of the case is not taken for a history.",
      fmt::format("{} {}", one.size(), beside.count("energy")), "1 1");
-  std::vector<io::Table> named{table("time,mass\n0,3\n1,3\n", "m.csv")};
+  std::vector<io::Table> named{file_of("time,mass\n0,3\n1,3\n", "m.csv")};
   is("Conservation columns with other names are read when they are mapped.",
-     fmt::format("{}", take_history(named, wanted_gauge(), {{"t", "time"}, {"volume", "mass"}}).count("volume")), "1");
+     fmt::format("{}", taken(named, {{"t", "time"}, {"volume", "mass"}}).count("volume")), "1");
   is("A missing value is rejected.", refusal("t,volume\n0,1\n1,\n"), "mine.csv: line 3: column volume");
   is("A conservation history of one row is rejected.", refusal("t,volume\n0,1\n"), "1 rows, must be at least two");
   is("A change relative to zero cannot be scored.", message_of([] {

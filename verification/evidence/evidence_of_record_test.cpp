@@ -1,4 +1,5 @@
 #include <fstream>
+#include <tuple>
 
 #include "reports/evidence/evidence_of_record.hpp"
 #include "verification/check.hpp"
@@ -55,17 +56,15 @@ TEST_CASE("the baseline is read back as it was written", "[evidence]") {
   CHECK((read[1].name == "bore" && read[1].set == "bzz-fig-12" && read[1].claim == "known" && read[1].kind == "bound"));
   CHECK((read[1].measured == 0.5 && read[1].uncertainty == 0.003 && read[1].expected == 1 && read[1].limit == 0.1));
   CHECK((read[1].band == 0.2 && read[1].verdict == "declared fail" && std::isnan(read[0].band)));
-  for (const auto& [row, said] : {std::pair("bore,,x,bound,one,,1,1,,pass", "line 7: 'one' is not a number"),
-                                  std::pair("bore,,x,bound,1,,1,1m,,pass", "line 7: '1m' is not a number"),
-                                  std::pair("bore,,x,bound,1,,1,1,pass", "line 7: 9 entries, must be 10"),
-                                  std::pair("bore,,x,bound,1,,1,1,,pass,", "line 7: 11 entries, must be 10")}) {
-    std::ofstream(file) << csv << row << "\n";
+  for (const auto& [text, said] : {std::pair(csv + "bore,,x,bound,one,,1,1,,pass\n", "line 7: 'one' is not a number"),
+                                   {csv + "bore,,x,bound,1,,1,1m,,pass\n", "line 7: '1m' is not a number"},
+                                   {csv + "bore,,x,bound,1,,1,1,pass\n", "line 7: 9 entries, must be 10"},
+                                   {csv + "bore,,x,bound,1,,1,1,,pass,\n", "line 7: 11 entries, must be 10"},
+                                   {"", "line 1: must be 'case,"},
+                                   {csv.substr(1), "line 1: must be 'case,"}}) {
+    std::ofstream(file) << text;
     CHECK_THROWS_WITH(evidence::read_recorded_claims(file), Contains(said));
   }
-  std::ofstream(file).close();
-  CHECK_THROWS_WITH(evidence::read_recorded_claims(file), Contains("line 1: must be 'case,"));
-  std::ofstream(file) << csv.substr(1);
-  CHECK_THROWS_WITH(evidence::read_recorded_claims(file), Contains("line 1: must be 'case,"));
   std::filesystem::remove(file);
 }
 
@@ -106,37 +105,35 @@ TEST_CASE("digits resolve a thousandth of the limit, and round-off to its order 
 
 TEST_CASE("a measured value has moved beyond combined uncertainty and its share of the limit", "[evidence]") {
   const double allowed = std::hypot(0.003, 0.003) + evidence::moved_share * 0.1;
-  CHECK(changed(bound(1), bound(1 + 0.99 * allowed)) == 0);
-  CHECK(changed(bound(1), bound(1 - 1.01 * allowed)) == 1);
-  CHECK(changed(roundoff(1e-14), roundoff(9e-13)) == 0);
-  CHECK(changed(roundoff(1e-14), roundoff(2e-12)) == 1);
-  RecordedClaim known = bound(0.5);
-  known.band = 2;
-  RecordedClaim moved = known;
-  moved.measured = 0.69;
-  CHECK(changed(known, moved) == 0);
-  moved.measured = 0.71;
-  CHECK(changed(known, moved) == 1);
+  const auto known = [](double measured) {
+    RecordedClaim claim = bound(measured);
+    claim.band = 2;
+    return claim;
+  };
+  for (const auto& [before, after, differ] :
+       {std::tuple(bound(1), bound(1 + 0.99 * allowed), 0U), std::tuple(bound(1), bound(1 - 1.01 * allowed), 1U),
+        std::tuple(roundoff(1e-14), roundoff(9e-13), 0U), std::tuple(roundoff(1e-14), roundoff(2e-12), 1U),
+        std::tuple(known(0.5), known(0.69), 0U), std::tuple(known(0.5), known(0.71), 1U)}) {
+    CAPTURE(before.measured, after.measured);
+    CHECK(changed(before, after) == differ);
+  }
 }
 
 TEST_CASE("an uncertainty that came, went, or grew behind a limit has changed", "[evidence]") {
-  const auto stated = [](double uncertainty, double limit = 0.1) {
+  const auto stated = [](double uncertainty) {
     RecordedClaim claim = bound(1);
     claim.uncertainty = uncertainty;
-    claim.limit = limit;
     return claim;
   };
   const double none = RecordedClaim::none;
-  CHECK(changed(stated(none), stated(none)) == 0);
-  CHECK(changed(stated(none), stated(1e-9)) == 1);
-  CHECK(changed(stated(1e-9), stated(none)) == 1);
   // A tenth of the limit, 0.01, and a factor 1.5.
-  CHECK(changed(stated(0.03), stated(0.0449)) == 0);
-  CHECK(changed(stated(0.03), stated(0.0451)) == 1);
-  CHECK(changed(stated(0.0451), stated(0.03)) == 1);
-  CHECK(changed(stated(0.003), stated(0.0129)) == 0);
-  CHECK(changed(stated(0.003), stated(0.0131)) == 1);
-  CHECK(changed(stated(0), stated(0.011)) == 1);
+  for (const auto& [before, after, differ] :
+       {std::tuple(none, none, 0U), std::tuple(none, 1e-9, 1U), std::tuple(1e-9, none, 1U),
+        std::tuple(0.03, 0.0449, 0U), std::tuple(0.03, 0.0451, 1U), std::tuple(0.0451, 0.03, 1U),
+        std::tuple(0.003, 0.0129, 0U), std::tuple(0.003, 0.0131, 1U), std::tuple(0., 0.011, 1U)}) {
+    CAPTURE(before, after);
+    CHECK(changed(stated(before), stated(after)) == differ);
+  }
   const auto appeared = evidence::changes({stated(none)}, {stated(0.5)});
   REQUIRE(appeared.size() == 1);
   CHECK_THAT(appeared.front(), Contains("uncertainty none -> 0.5"));
@@ -157,19 +154,17 @@ TEST_CASE("values that cannot be compared count as changed", "[evidence]") {
 }
 
 TEST_CASE("the baseline verdict states the declaration and departures from it", "[evidence]") {
-  const auto verdict = [](const std::string& declared, const std::string& found, bool as_declared) {
+  for (const auto& [declared, found, as_declared, verdict] :
+       {std::tuple("pass", "pass", true, "pass"), std::tuple("fail", "fail", true, "declared fail"),
+        std::tuple("fail", "fail", false, "fail outside its band"),
+        std::tuple("fail", "pass", false, "undeclared pass"), std::tuple("pass", "fail", false, "fail")}) {
     evidence::Summary record;
-    record.claims.emplace_back();
-    record.claims.back().declared = declared;
-    record.claims.back().verdict = found;
-    record.claims.back().as_declared = as_declared;
-    return evidence::recorded_claims({record}).front().verdict;
-  };
-  CHECK(verdict("pass", "pass", true) == "pass");
-  CHECK(verdict("fail", "fail", true) == "declared fail");
-  CHECK(verdict("fail", "fail", false) == "fail outside its band");
-  CHECK(verdict("fail", "pass", false) == "undeclared pass");
-  CHECK(verdict("pass", "fail", false) == "fail");
+    evidence::Summary::Outcome& claim = record.claims.emplace_back();
+    claim.declared = declared;
+    claim.verdict = found;
+    claim.as_declared = as_declared;
+    CHECK(evidence::recorded_claims({record}).front().verdict == verdict);
+  }
 }
 
 }  // namespace seiche::verification::evidence_of_record_test

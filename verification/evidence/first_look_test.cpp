@@ -5,17 +5,16 @@
 #include <optional>
 
 #include "validation/scoring/first_look.hpp"
-#include "validation/scoring/score.hpp"
 #include "verification/check.hpp"
+#include "verification/evidence/says.hpp"
+#include "verification/evidence/submissions.hpp"
 
 namespace seiche::verification::first_look_test {
 
 using namespace validation;
 
 std::vector<double> places() {
-  std::vector<double> x;
-  for (int k = 0; k <= 200; ++k) x.push_back(0.0628318530717958 * k);
-  return x;
+  return multiples(0.0628318530717958, 200);
 }
 
 std::vector<double> values(const std::function<double(double)>& of) {
@@ -32,17 +31,17 @@ ErrorKind kind_of(const std::function<double(double)>& submitted) {
 }
 
 std::vector<WantedTable> wanted(evidence::Role role, const std::string& unit = "m") {
-  return {{.name = "wave",
-           .kind = WantedTable::Kind::profile,
-           .abscissa = Column{"x", unit, "place"},
-           .quantities = {{.column = {"eta", unit, "elevation"},
-                           .reference = [](Place p) { return std::sin(p.abscissa); },
-                           .requirements = {{.measure = Measure::relative_l2,
-                                             .criterion = Bound{0.05, "of this test"},
-                                             .text = "The wave is right.",
-                                             .source = "this test"}}}},
-           .points = [](double) { return places(); },
-           .reference_role = role}};
+  WantedTable wave = wanted_elevation(
+      "wave", WantedTable::Kind::profile, [](Place p) { return std::sin(p.abscissa); }, places());
+  WantedQuantity& eta = wave.quantities.front();
+  wave.abscissa->unit = eta.column.unit = unit;
+  eta.requirements = {{Measure::relative_l2, Bound{0.05, "of this test"}, "The wave is right.", "this test"}};
+  wave.reference_role = role;
+  return {wave};
+}
+
+Submitted submitted_wave(const std::function<double(double)>& eta) {
+  return {{"wave", {{.abscissa = places(), .values = {{"eta", values(eta)}}}}}};
 }
 
 std::string answer(const std::function<double(double)>& submitted, const std::string& question,
@@ -50,7 +49,7 @@ std::string answer(const std::function<double(double)>& submitted, const std::st
                    const std::string& unit = "m") {
   evidence::Record record;
   const std::vector<WantedTable> tables = wanted(role, unit);
-  const Submitted all{{"wave", {{.value = 0, .abscissa = places(), .values = {{"eta", values(submitted)}}}}}};
+  const Submitted all = submitted_wave(submitted);
   score(tables, all, {}, record);
   for (const auto& [asked, said] : first_look(tables, all, record, {}, ladder)) {
     if (asked == question) return said;
@@ -62,8 +61,8 @@ std::string answer(const std::function<double(double)>& submitted, const std::st
 Ladder ladder_of_errors(double falling, double staying) {
   std::vector<Rung> rungs;
   for (const double h : {4.0, 2.0, 1.0}) {
-    const auto y = values([&](double x) { return std::sin(x) * (1 + falling * h + staying); });
-    rungs.push_back({.size = h, .submitted = {{"wave", {{.value = 0, .abscissa = places(), .values = {{"eta", y}}}}}}});
+    const auto wave = [&](double x) { return std::sin(x) * (1 + falling * h + staying); };
+    rungs.push_back({.size = h, .submitted = submitted_wave(wave)});
   }
   return ladder_of(wanted(evidence::Role::exact), rungs);
 }
@@ -74,10 +73,7 @@ TEST_CASE("the summary of a score states position, kind and likely cause of an e
   const auto share = [&](const std::string& text, double value) {
     check.holds(text, {value}, Bound{0.01, "differences of neighbours for the slope, and small shifts", 1});
   };
-  const auto says = [&](const std::string& text, const std::string& got, const std::string& expected) {
-    check.holds(text, {got.find(expected) != std::string::npos ? 1.0 : 0.0},
-                Qualitative{"\"" + expected + "\"", "it was made so"});
-  };
+  const auto says = [&](const auto&... words) { verification::says(check, words...); };
   share("The error of a lagging wave is of type phase.", kind_of([](double x) { return std::sin(x - 0.05); }).phase);
   share("The error of a too high wave is of type amplitude.",
         kind_of([](double x) { return 1.1 * std::sin(x); }).amplitude);
@@ -154,13 +150,11 @@ TEST_CASE("the summary of a score states position, kind and likely cause of an e
 
 TEST_CASE("the claim that uses most of its limit decides, and the report's table reads as the screen", "[evidence]") {
   std::vector<WantedTable> tables = wanted(evidence::Role::exact);
-  tables.front().quantities.front().requirements.push_back({.measure = Measure::largest_error,
-                                                            .criterion = Bound{1, "of this test"},
-                                                            .text = "The wave is close to the reference.",
-                                                            .source = "this test"});
+  tables.front().quantities.front().requirements.push_back(
+      {Measure::largest_error, Bound{1, "of this test"}, "The wave is close to the reference.", "this test"});
   // A narrow bump: its largest error, 0.2, is a fifth of its limit; its relative L2 error, 0.04, most of it.
-  const auto bump = values([](double x) { return std::sin(x) + 0.2 * std::exp(-std::pow((x - 4.5) / 0.2, 2)); });
-  const Submitted all{{"wave", {{.value = 0, .abscissa = places(), .values = {{"eta", bump}}}}}};
+  const Submitted all =
+      submitted_wave([](double x) { return std::sin(x) + 0.2 * std::exp(-std::pow((x - 4.5) / 0.2, 2)); });
   evidence::Record record;
   score(tables, all, {}, record);
   const FirstLook look = first_look(tables, all, record, {}, {});

@@ -4,6 +4,7 @@
 
 #include "validation/case/registry.hpp"
 #include "verification/check.hpp"
+#include "verification/evidence/submissions.hpp"
 
 namespace seiche::verification::foreign_flows_test {
 
@@ -15,16 +16,11 @@ TEST_CASE("too few points of a foreign flow are rejected", "[evidence]") {
     INFO(name);
     const Case& one = find_case(name);
     const Values values = one.values(Tier::quick);
-    const WantedTable table = one.submission.tables(values).front();
-    Submitted few;
-    for (const double group : table.group ? *table.groups : std::vector<double>{0}) {
-      SubmittedGroup two{
-          .value = group, .abscissa = {table.points(group).front(), table.points(group).back()}, .values = {}};
-      for (const WantedQuantity& quantity : table.quantities) {
-        for (const double x : two.abscissa) two.values[quantity.column.name].push_back(quantity.reference({group, x}));
-      }
-      few[table.name].push_back(two);
-    }
+    WantedTable ends = one.submission.tables(values).front();
+    ends.points = [all = ends.points](double group) {
+      return std::vector<double>{all(group).front(), all(group).back()};
+    };
+    const Submitted few = submission({ends}, [](const WantedQuantity& q, Place p) { return q.reference(p); });
     evidence::Record record;
     CHECK_THROWS_AS(one.submission.judge(values, few, {}, record), std::invalid_argument);
   }

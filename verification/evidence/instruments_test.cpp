@@ -34,17 +34,12 @@ constexpr double pi = std::numbers::pi;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Claims that a number is what follows by hand.
-class Exactly {
- public:
-  explicit Exactly(Check& check) : check_(check) {}
-  void operator()(const std::string& id, const std::string& text, double value, double expected, double operations,
-                  double scale, const std::string& reason) const {
-    check_.holds(id + ": " + text, {value}, Roundoff{operations, scale, reason, expected});
-  }
-
- private:
-  Check& check_;
-};
+auto exactly_by(Check& check) {
+  return [&check](const std::string& id, const std::string& text, double value, double expected, double operations,
+                  double scale, const std::string& reason) {
+    check.holds(id + ": " + text, {value}, Roundoff{operations, scale, reason, expected});
+  };
+}
 
 TEST_CASE("a mirrored dam break has the same requirements", "[evidence]") {
   const auto limits = [](const exact::Riemann& solution) {
@@ -61,13 +56,9 @@ TEST_CASE("a mirrored dam break has the same requirements", "[evidence]") {
 }
 
 TEST_CASE("the curve of a profile advances across its gaps", "[evidence]") {
-  const shallow_water::MeasuredProfile profile{.edges = {0, 1, 2},
-                                               .means = {{1, 0}, {2, 0}},
-                                               .reconstruction =
-                                                   [](double x) {
-                                                     return shallow_water::State{x, 0};
-                                                   },
-                                               .breaks = {0.4, 0.1, 1.7}};
+  const auto ramp = [](double x) { return shallow_water::State{x, 0}; };
+  const shallow_water::MeasuredProfile profile{
+      .edges = {0, 1, 2}, .means = {{1, 0}, {2, 0}}, .reconstruction = ramp, .breaks = {0.4, 0.1, 1.7}};
   const ProfileCurve curve = computed_curve(profile);
   CHECK(std::is_sorted(curve.x.begin(), curve.x.end()));
   CHECK((curve.x.size() == 16 && curve.depth == curve.x));
@@ -77,7 +68,7 @@ TEST_CASE("diagnostics for series return known values", "[evidence]") {
   Check check("instruments_of_series", "Instruments for series",
               "Peaks of a parabola, the frequency of a sum of harmonics, the period of a wave, the speed of a crest, "
               "the line through points with known residuals, the limit of two grids.");
-  const Exactly exactly(check);
+  const auto exactly = exactly_by(check);
 
   // Unequal times: the parabola is the same through any three of its points.
   Peak peak;
@@ -89,8 +80,7 @@ TEST_CASE("diagnostics for series return known values", "[evidence]") {
   exactly("peak-time", "The time of a peak between the points is exact to round-off.", peak.time(), 1.3, 20, 6, three);
 
   std::vector<double> harmonics;
-  constexpr double frequency = 2.7;
-  constexpr double tau = 0.11;
+  constexpr double frequency = 2.7, tau = 0.11;
   for (int n = 0; n < 200; ++n) {
     const double phase = frequency * tau * n + 0.4;
     harmonics.push_back(0.2 + 1.5 * std::cos(phase) + 0.3 * std::sin(2 * phase));
@@ -150,15 +140,13 @@ TEST_CASE("errors of a profile equal their definitions", "[evidence]") {
   Check check("profile_errors", "Errors of shallow-water profiles",
               "A step of depth from 3 to 1 at x = 1.8 with velocities 2 and 0, cells of unequal width whose mean "
               "depths are 10 % too high and whose velocities are 10 % too low: the errors follow by hand.");
-  const Exactly exactly(check);
+  const auto exactly = exactly_by(check);
   const auto exact = [](double x) { return x < 1.8 ? State{3, 2} : State{1, 0}; };
   // The third cell holds the step: mean depth 2.2, momentum 3.6 over mass 2.2.
+  const auto high = [&](double x) { return State{exact(x).depth + (x < 1 ? 0.2 : 0.0), exact(x).velocity}; };
   const MeasuredProfile profile{.edges = {0, 1, 1.5, 2, 4},
                                 .means = {{3.1, 1.9}, {3.1, 1.9}, {2.3, 3.6 / 2.2 - 0.1}, {1.1, -0.1}},
-                                .reconstruction =
-                                    [&](double x) {
-                                      return State{exact(x).depth + (x < 1 ? 0.2 : 0.0), exact(x).velocity};
-                                    },
+                                .reconstruction = high,
                                 .breaks = {1}};
   const ProfileError cell = cell_error(profile, exact, {1.8});
   const char* points = "32 points in each of four cells, numbers up to 3";

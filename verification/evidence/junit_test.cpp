@@ -71,15 +71,14 @@ TEST_CASE("JUnit shows every verdict by its kind", "[junit]") {
   Junit junit;
   write(sample("seiche"), junit.scratch.path());
   const pugi::xml_node suite = find(junit.read(), "evidence.sample");
-  const std::map<std::string, std::string> expected{{"run", "passed"},
+  std::map<std::string, std::string> shown;
+  for (const pugi::xml_node test : suite.children("testcase")) shown[test.attribute("name").value()] = outcome(test);
+  CHECK(shown == std::map<std::string, std::string>{{"run", "passed"},
                                                     {"pass", "passed"},
                                                     {"fail", "failure: fail"},
                                                     {"inconclusive", "failure: inconclusive"},
                                                     {"declared-fail", "skipped: declared fail"},
-                                                    {"undeclared-pass", "failure: undeclared pass"}};
-  std::map<std::string, std::string> shown;
-  for (const pugi::xml_node test : suite.children("testcase")) shown[test.attribute("name").value()] = outcome(test);
-  CHECK(shown == expected);
+                                                    {"undeclared-pass", "failure: undeclared pass"}});
   const std::string reason = find(suite, "declared-fail").child("skipped").attribute("message").value();
   CHECK(reason.find("Measured 3, ") != std::string::npos);
   CHECK(reason.find("within 1 m") != std::string::npos);
@@ -91,19 +90,17 @@ TEST_CASE("JUnit carries the numbers of a claim and the facts of its run as prop
   Junit junit;
   write(sample("seiche"), junit.scratch.path());
   const pugi::xml_node suite = find(junit.read(), "evidence.sample");
-  CHECK(property(suite, "wall_time") == "1.5");
-  CHECK(property(suite, "tier") == "quick");
-  CHECK(property(suite, "solver") == "seiche");
+  using Facts = std::map<std::string, std::string>;
+  for (const auto& [name, value] : Facts{{"wall_time", "1.5"}, {"tier", "quick"}, {"solver", "seiche"}}) {
+    CHECK(property(suite, name) == value);
+  }
   CHECK_FALSE(property(suite, "commit").empty());
-  const pugi::xml_node test = find(suite, "pass");
-  CHECK(property(test, "measured") == "0.5");
-  CHECK(property(test, "uncertainty") == "0.1");
-  CHECK(property(test, "limit") == "1");
-  CHECK(property(test, "expected") == "0");
-  CHECK(property(test, "unit") == "m");
-  CHECK(property(test, "resolution") == "N = 10");
-  CHECK(property(test, "verdict") == "pass");
-  CHECK(property(test, "declared") == "pass");
+  for (const auto& [name, value] :
+       Facts{std::pair{"measured", "0.5"}, std::pair{"uncertainty", "0.1"}, std::pair{"limit", "1"},
+             std::pair{"expected", "0"}, std::pair{"unit", "m"}, std::pair{"resolution", "N = 10"},
+             std::pair{"verdict", "pass"}, std::pair{"declared", "pass"}}) {
+    CHECK(property(find(suite, "pass"), name) == value);
+  }
 }
 
 TEST_CASE("JUnit totals equal the sums over suites, and tests of several records of one case have different names",

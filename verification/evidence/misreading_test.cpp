@@ -11,6 +11,9 @@
 #include "validation/scoring/diagnosis.hpp"
 #include "validation/scoring/misreading.hpp"
 #include "verification/check.hpp"
+#include "verification/evidence/known_curve.hpp"
+#include "verification/evidence/says.hpp"
+#include "verification/evidence/submissions.hpp"
 
 namespace seiche::verification::misreading_test {
 
@@ -24,19 +27,10 @@ double gauge(double t) {
   return 0.3 + 0.1 * std::sin(t) + 0.04 * std::cos(0.37 * t + 0.5);
 }
 
-struct Points {
-  std::vector<double> x, y;
-  [[nodiscard]] validation::Curve curve() const { return {x, y}; }
-};
-
+/// Every 0.05 s.
 template <class Function>
-Points sampled(Function f, double last = 20) {
-  Points points;
-  for (double t = 0; t <= last + 1e-9; t += spacing) {
-    points.x.push_back(t);
-    points.y.push_back(f(t));
-  }
-  return points;
+Points sampled(const Function& f, double last = 20) {
+  return verification::sampled(0, last, static_cast<int>(std::lround(last / spacing)), f);
 }
 
 TEST_CASE("a misreading of a curve is found, with its factor or shift", "[evidence]") {
@@ -65,22 +59,16 @@ TEST_CASE("a misreading of a curve is found, with its factor or shift", "[eviden
   found("mirrored", sampled([](double t) { return gauge(20 - t); }), Kind::backwards, 0, 0, "it has no number");
   found("centimetres", sampled([](double t) { return 100 * gauge(t); }), Kind::unit, 100, 0, "a given factor");
   found("feet", sampled([](double t) { return 3.28084 * gauge(t); }), Kind::unit, 3.28084, 0, "a given factor");
-  found(
-      "milliseconds",
-      [&] {
-        Points points = reference;
-        for (double& t : points.x) t *= 1000;
-        return points;
-      }(),
-      Kind::abscissa, 1000, 0, "a given factor");
+  Points milliseconds = reference;
+  for (double& t : milliseconds.x) t *= 1000;
+  found("milliseconds", milliseconds, Kind::abscissa, 1000, 0, "a given factor");
   found("amplitude", sampled([](double t) { return 0.82 * gauge(t); }), Kind::scaled, 0.82, 1e-12,
         "round-off of two sums");
   found("slow", sampled([](double t) { return gauge(0.95 * t); }), Kind::slow, 1 / 0.95 - 1, line / 10,
         "a time at the middle of the series, 10 s from its beginning, " + lines);
   const auto sum = [](double t) { return 0.3 * t - 0.1 * std::cos(t) + 0.04 / 0.37 * std::sin(0.37 * t + 0.5); };
   const auto mean = [&](double t) {  // over 4 s, a fifth of the series
-    const double from = std::max(t - 2, 0.0);
-    const double to = std::min(t + 2, 20.0);
+    const double from = std::max(t - 2, 0.0), to = std::min(t + 2, 20.0);
     return (sum(to) - sum(from)) / (to - from);
   };
   found("smeared", sampled(mean), Kind::smeared, 0.2, 3 * line / 20,
@@ -166,21 +154,14 @@ TEST_CASE("every misreading is said in words, with its number, its unit and its 
 TEST_CASE("the diagnosis names gauges that are exchanged or cut short, and says one thing once", "[evidence]") {
   Check check("diagnosis", "What is said of a submission",
               "Two gauges exchanged, a truncated series, the same lag at both gauges, a number in another unit.");
-  std::vector<double> times;
-  for (int k = 0; k <= 200; ++k) times.push_back(0.1 * k);
+  const std::vector<double> times = multiples(0.1, 200);
   const auto reference = [](Place p) { return std::sin(p.abscissa - 2 * p.group) + 0.3 * p.group; };
   const std::vector<WantedTable> wanted{
-      {.name = "gauges",
-       .kind = WantedTable::Kind::series,
-       .group = Column{"x", "m", "position"},
-       .abscissa = Column{"t", "s", "time"},
-       .quantities = {{.column = {"eta", "m", "elevation"}, .reference = reference}},
-       .groups = {1, 2},
-       .points = [times](double) { return times; }},
+      wanted_elevation("gauges", WantedTable::Kind::series, reference, times, {1, 2}),
       {.name = "numbers",
        .quantities = {{.column = {"runup", "m", "run-up"}, .reference = [](Place) { return 0.25; }}}}};
   const auto series = [&](double x, const auto& value, double last = 20) {
-    SubmittedGroup group{.value = x, .abscissa = {}, .values = {}};
+    SubmittedGroup group{.value = x};
     for (const double t : times) {
       if (t > last) break;
       group.abscissa.push_back(t);
@@ -208,8 +189,7 @@ TEST_CASE("the diagnosis names gauges that are exchanged or cut short, and says 
   const auto large = [&](double x) { return [&, x](double t) { return 1.2 * reference({x, t}); }; };
   says("scaled", {{"gauges", {series(1, large(1)), series(2, large(2))}}}, 1, "amplitude");
   says("fitted-scaled", {{"gauges", {series(1, large(1)), series(2, large(2))}}}, 0, "", true);
-  says("number", {{"numbers", {{.value = 0, .abscissa = {}, .values = {{"runup", {25}}}}}}}, 1,
-       "centimetres for metres");
+  says("number", {{"numbers", {{.values = {{"runup", {25}}}}}}}, 1, "centimetres for metres");
 }
 
 TEST_CASE("findings are shown with their place, their sentence and what they leave of the misfit", "[evidence]") {

@@ -10,6 +10,7 @@
 #include "validation/instruments/polyline_distance.hpp"
 #include "validation/instruments/shifted_front.hpp"
 #include "verification/check.hpp"
+#include "verification/evidence/known_curve.hpp"
 
 namespace seiche::verification::particle_measures_test {
 
@@ -31,11 +32,7 @@ TEST_CASE("the lag of a front is found", "[evidence]") {
   Check check("shifted_front", "The shift of a front",
               "A front $X = 1 + T^2/4$ and points of it that lag by 0.17, one of them beyond the tank.");
   const auto front = [](double T) { return 1 + 0.25 * T * T; };
-  std::vector<double> T, X;
-  for (int k = 0; k <= 3000; ++k) {
-    T.push_back(1e-3 * k);
-    X.push_back(front(T.back()));
-  }
+  const auto [T, X] = sampled(0, 3, 3000, front);
   const std::vector<double> late{0.6, 1.1, 1.7, 2.3, 2.9};
   std::vector<double> measured;
   for (const double t : late) measured.push_back(front(t - 0.17));

@@ -39,16 +39,13 @@ class Faults {
   [[nodiscard]] const std::vector<std::string>& list() const { return list_; }
   [[nodiscard]] std::size_t numbers() const { return table_.rows() * table_.names.size(); }
   [[nodiscard]] std::size_t assumed() const {
-    return static_cast<std::size_t>(std::count_if(source_.standard_uncertainty.begin(),
-                                                  source_.standard_uncertainty.end(),
-                                                  [](const auto& entry) { return entry.second.assumed; }));
+    const auto assumed = [](const auto& entry) { return entry.second.assumed; };
+    return static_cast<std::size_t>(std::ranges::count_if(source_.standard_uncertainty, assumed));
   }
 
  private:
   void fault(const std::string& what) { list_.push_back(name_ + ": " + what); }
-  [[nodiscard]] bool has(const std::string& column) const {
-    return std::find(table_.names.begin(), table_.names.end(), column) != table_.names.end();
-  }
+  [[nodiscard]] bool has(const std::string& column) const { return std::ranges::count(table_.names, column) > 0; }
 
   void texts() {
     for (const auto& [field, text] :
@@ -179,15 +176,17 @@ TEST_CASE("a source with a key that is not known, or of another type, is rejecte
   };
   const std::string file = (folder.path() / "source.toml").string();
   CHECK(refused("").empty());
-  CHECK(refused("colour = \"blue\"\n") == file + ": colour is not known");
-  CHECK(refused("what = 1\n") == file + ": what has the wrong type");
-  CHECK(refused("units = \"m\"\n") == file + ": units must be a table");
-  CHECK(refused("units = {x = 1}\n") == file + ": units.x must be a string");
-  CHECK(refused("parameters = \"x\"\n") == file + ": parameters must be an array of strings");
-  CHECK(refused("parameters = [\"x\", 1]\n") == file + ": parameters must be an array of strings");
-  CHECK(refused("codes = {x = 1}\n") == file + ": codes.x must be a table");
-  CHECK(refused("codes = {x = {a = 1}}\n") == file + ": a has the wrong type");
-  CHECK(refused("standard_uncertainty = {x = {value = 1.0, colour = 1}}\n") == file + ": colour is not known");
+  for (const auto& [text, said] :
+       {std::pair("colour = \"blue\"\n", "colour is not known"), std::pair("what = 1\n", "what has the wrong type"),
+        std::pair("units = \"m\"\n", "units must be a table"),
+        std::pair("units = {x = 1}\n", "units.x must be a string"),
+        std::pair("parameters = \"x\"\n", "parameters must be an array of strings"),
+        std::pair("parameters = [\"x\", 1]\n", "parameters must be an array of strings"),
+        std::pair("codes = {x = 1}\n", "codes.x must be a table"),
+        std::pair("codes = {x = {a = 1}}\n", "a has the wrong type"),
+        std::pair("standard_uncertainty = {x = {value = 1.0, colour = 1}}\n", "colour is not known")}) {
+    CHECK(refused(text) == file + ": " + said);
+  }
   CHECK(message_of([&] { validation::reference_source(folder.path() / "none"); }) ==
         (folder.path() / "none" / "source.toml").string() + " does not exist");
 }

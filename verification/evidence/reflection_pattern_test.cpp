@@ -18,8 +18,7 @@ namespace seiche::verification::reflection_pattern_test {
 
 using namespace validation;
 
-constexpr double a = 0.3;
-constexpr double spacing = 0.5;
+constexpr double a = 0.3, spacing = 0.5;
 const double S = std::sqrt(3 * a);
 
 /// Error of the parabola through three nodes of a crest 1 - s^2 + 2 s^4/3, s = S x/2 in units of its width: with nodes
@@ -103,8 +102,7 @@ void claim_pattern(Check& check, const Configuration& configuration) {
 /// Rows of the surface above one another, and the crests found on them.
 void draw(Check& check) {
   const ExactReflection waves(a, 0.5);
-  const double t = time_of(waves);
-  const double height = height_of(waves);
+  const double t = time_of(waves), height = height_of(waves);
   const SampledReflection sampled(waves, t, height, spacing);
   const SurfaceLattice surface = sampled.lattice();
   const ReflectionPattern pattern = measured_reflection(surface, a);
@@ -205,9 +203,7 @@ TEST_CASE("amplitudes, angles and stem of a reflection are recovered from its su
   claim_order("five-nodes", "five", five_nodes, 6);
   draw(check);
 
-  std::vector<double> x(25);
-  std::vector<double> y(25);
-  std::vector<double> z(25);
+  std::vector<double> x(25), y(25), z(25);
   const SurfaceLattice flat{4, 4, x, y, z};
   CHECK_THROWS_AS(measured_reflection(flat, a), std::runtime_error);
   CHECK_THROWS_AS(measured_reflection({4, 5, x, y, z}, a), std::invalid_argument);

@@ -31,8 +31,7 @@ class ExactReflection {
 
   ExactReflection(double a, double kappa)
       : stem_(kappa < 1), outer_(0.5 * (1 + kappa) * std::sqrt(3 * a)), inner_(0.5 * (1 - kappa) * std::sqrt(3 * a)) {
-    const double K = outer_;
-    const double q = inner_;
+    const double K = outer_, q = inner_;
     const double coupling = stem_ ? 1 - kappa * kappa : std::sqrt(1 - 1 / (kappa * kappa));
     const double shift = stem_ ? 0 : std::log(coupling) / std::sqrt(3 * a);
     if (stem_) {

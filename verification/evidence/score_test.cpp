@@ -1,8 +1,8 @@
 // Scoring by declaration: profiles at several times, and single numbers with uncertainties.
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <variant>
@@ -10,10 +10,10 @@
 
 #include <fmt/format.h>
 
-#include "seiche/io/text_table.hpp"
-#include "validation/scoring/score.hpp"
 #include "validation/scoring/submitted.hpp"
 #include "verification/check.hpp"
+#include "verification/evidence/says.hpp"
+#include "verification/evidence/submissions.hpp"
 #include "verification/message_of.hpp"
 
 namespace seiche::verification::score_test {
@@ -22,35 +22,19 @@ using namespace validation;
 
 /// A wave sin(x - t) at two times, and one measured height 2.0 +- 0.1 m.
 std::vector<WantedTable> wanted_tables() {
-  std::vector<double> x;
-  for (int k = 0; k <= 50; ++k) x.push_back(0.2 * k);
-  return {{.name = "profiles",
-           .kind = WantedTable::Kind::profile,
-           .group = Column{"t", "s", "time"},
-           .abscissa = Column{"x", "m", "position"},
-           .quantities = {{.column = {"eta", "m", "elevation"},
-                           .reference = [](Place p) { return std::sin(p.abscissa - p.group); },
-                           .requirements = {{.measure = Measure::relative_l2,
-                                             .criterion = Bound{0.05, "of this test"},
-                                             .text = "The wave equals the exact wave.",
-                                             .source = "this test"}}}},
-           .groups = {1, 2},
-           .points = [x](double) { return x; }},
-          {.name = "heights",
-           .quantities = {{.column = {"runup", "m", "run-up"},
-                           .reference = [](Place) { return 2.0; },
-                           .requirements = {{.measure = Measure::value,
-                                             .criterion = evidence::Uncertainty{.expected = 2.0,
-                                                                                .data = 0.1,
-                                                                                .useful = 0.5,
-                                                                                .reason = "gauge's stated uncertainty"},
-                                             .text = "The maximum run-up agrees with the measurements.",
-                                             .source = "this test"}}}}}};
-}
-
-io::Table table(const std::string& text, const std::string& name) {
-  std::istringstream in(text);
-  return io::read_csv(in, name);
+  WantedTable wave =
+      wanted_elevation("profiles", WantedTable::Kind::profile, [](Place p) { return std::sin(p.abscissa - p.group); },
+                       multiples(0.2, 50), {1, 2});
+  wave.quantities.front().requirements = {
+      {Measure::relative_l2, Bound{0.05, "of this test"}, "The wave equals the exact wave.", "this test"}};
+  const evidence::Uncertainty gauge{
+      .expected = 2.0, .data = 0.1, .useful = 0.5, .reason = "gauge's stated uncertainty"};
+  return {
+      wave,
+      {.name = "heights",
+       .quantities = {{{"runup", "m", "run-up"},
+                       [](Place) { return 2.0; },
+                       {{Measure::value, gauge, "The maximum run-up agrees with the measurements.", "this test"}}}}}};
 }
 
 std::string profiles(double error_at_two, double error_at_one = 0) {
@@ -64,61 +48,47 @@ std::string profiles(double error_at_two, double error_at_one = 0) {
   return text;
 }
 
-evidence::Record scored(const std::vector<io::Table>& files, const std::string& uncertainty = "") {
+/// The record of another solver's result.
+evidence::Record scored(const std::vector<WantedTable>& wanted, const Submitted& submitted,
+                        const std::map<std::string, StatedUncertainty>& uncertainty = {}) {
   evidence::Record record;
   record.name = "scored";
   record.solver = "other";
-  std::map<std::string, StatedUncertainty> stated;
-  if (!uncertainty.empty()) stated["runup"] = uncertainty_from("runup", uncertainty);
-  const std::vector<WantedTable> wanted = wanted_tables();
-  Understanding understood;
-  score(wanted, submitted_from(files, wanted, understood), stated, record);
+  score(wanted, submitted, uncertainty, record);
   return record;
 }
 
-std::string verdict(const evidence::Record& record, const std::string& id) {
-  for (const evidence::JudgedClaim& claim : record.claims()) {
-    if (claim.claim.id == id) return std::string(evidence::name(claim.judgement.verdict));
-  }
-  return "no such claim";
-}
-
-std::string shown(const evidence::Record& record, const std::string& id) {
-  for (const evidence::JudgedClaim& claim : record.claims()) {
-    if (claim.claim.id == id) return claim.judgement.resolution;
-  }
-  return "no such claim";
+/// The same of files for `wanted_tables`.
+evidence::Record scored(const std::vector<io::Table>& files, const std::string& uncertainty = "",
+                        const std::vector<WantedTable>& wanted = wanted_tables()) {
+  std::map<std::string, StatedUncertainty> stated;
+  if (!uncertainty.empty()) stated["runup"] = uncertainty_from("runup", uncertainty);
+  Understanding understood;
+  return scored(wanted, submitted_from(files, wanted, understood), stated);
 }
 
 std::string refusal(const std::string& text) {
-  return message_of([&] { scored({table(text, "mine.csv")}); });
+  return message_of([&] { scored({file_of(text, "mine.csv")}); });
 }
 
 TEST_CASE("a declared submission is measured and evaluated in every group", "[evidence]") {
   Check check("declared_submission", "Scoring by declaration",
               "A case that only declares its requirements gets templates, measures, claims and errors. Here: profiles "
               "at two times and a measured number.");
-  const auto is = [&](const std::string& text, const std::string& got, const std::string& expected) {
-    INFO(got << " / " << expected);
-    check.holds(text, {got.find(expected) != std::string::npos ? 1.0 : 0.0},
-                Qualitative{"\"" + expected + "\"", "stated in the interface"});
-  };
-  const evidence::Record good = scored({table(profiles(0), "p.csv"), table("runup\n2.05\n", "r.csv")});
-  is("Exact profiles with a stated uncertainty pass the score.", verdict(good, "eta-relative_l2"), "pass");
-  const evidence::Record bad = scored({table(profiles(0.1), "p.csv")});
-  is("Wrong profiles at one of two times fail the claim.", verdict(bad, "eta-relative_l2"), "fail");
-  const evidence::Record both = scored({table(profiles(0.1, 0.06), "p.csv")});
-  is("The failing time with the larger error is shown.", shown(both, "eta-relative_l2"), "t = 2");
-  is("A missing table fails its coverage claim.", verdict(bad, "heights-coverage"), "fail");
-  is("The quantities of a missing table are not scored.", verdict(bad, "runup-value"), "no such claim");
+  const auto is = [&](const auto&... words) { says(check, words..., "stated in the interface"); };
+  const evidence::Record good = scored({file_of(profiles(0), "p.csv"), file_of("runup\n2.05\n", "r.csv")});
+  is("Exact profiles with a stated uncertainty pass the score.", verdict_of(good, "eta-relative_l2"), "pass");
+  const evidence::Record bad = scored({file_of(profiles(0.1), "p.csv")});
+  is("Wrong profiles at one of two times fail the claim.", verdict_of(bad, "eta-relative_l2"), "fail");
+  const evidence::Record both = scored({file_of(profiles(0.1, 0.06), "p.csv")});
+  const auto wave = std::ranges::find(both.claims(), "eta-relative_l2", [](const auto& c) { return c.claim.id; });
+  is("The failing time with the larger error is shown.", wave->judgement.resolution, "t = 2");
+  is("A missing table fails its coverage claim.", verdict_of(bad, "heights-coverage"), "fail");
+  is("The quantities of a missing table are not scored.", verdict_of(bad, "runup-value"), "no such claim");
   const auto drawn = [&](evidence::Role role) {
     std::vector<WantedTable> wanted = wanted_tables();
     for (WantedTable& one : wanted) one.reference_role = role;
-    evidence::Record record;
-    record.name = "scored";
-    record.solver = "other";
-    Understanding understood;
-    score(wanted, submitted_from({table(profiles(0), "p.csv")}, wanted, understood), {}, record);
+    const evidence::Record record = scored({file_of(profiles(0), "p.csv")}, "", wanted);
     return static_cast<double>(record.figures().front().panels().front().series().front().x.size());
   };
   check.holds("An exact reference is drawn between the points.", {drawn(Role::exact)},
@@ -129,26 +99,23 @@ TEST_CASE("a declared submission is measured and evaluated in every group", "[ev
 
   // |E| = 0.25 beside u_data = 0.1: fails alone, passes with u_num = 0.1 (2 sqrt(0.02) = 0.283), and says nothing where
   // u_num = 0.5 makes the expanded uncertainty 1.02 > 0.5.
-  const std::string run_up = "runup [m]\n2.25\n";
-  is("A comparison without a stated uncertainty is inconclusive.", verdict(scored({table(run_up, "r")}), "runup-value"),
-     "inconclusive");
-  is("A stated uncertainty of 0 gives the strictest comparison.",
-     verdict(scored({table(run_up, "r")}, "0"), "runup-value"), "fail");
-  is("A stated absolute uncertainty enters the comparison.",
-     verdict(scored({table(run_up, "r")}, "0.1"), "runup-value"), "pass");
-  is("A stated relative uncertainty enters the comparison.", verdict(scored({table(run_up, "r")}, "5%"), "runup-value"),
-     "pass");
-  is("A stated uncertainty beyond its ceiling does not turn a failure into a pass.",
-     verdict(scored({table(run_up, "r")}, "0.5"), "runup-value"), "inconclusive");
+  const auto run_up = [](const std::string& uncertainty) {
+    return verdict_of(scored({file_of("runup [m]\n2.25\n", "r")}, uncertainty), "runup-value");
+  };
+  is("A comparison without a stated uncertainty is inconclusive.", run_up(""), "inconclusive");
+  is("A stated uncertainty of 0 gives the strictest comparison.", run_up("0"), "fail");
+  is("A stated absolute uncertainty enters the comparison.", run_up("0.1"), "pass");
+  is("A stated relative uncertainty enters the comparison.", run_up("5%"), "pass");
+  is("A stated uncertainty beyond its ceiling does not turn a failure into a pass.", run_up("0.5"), "inconclusive");
 
   is("A result without one of the instants fails its coverage claim.",
-     verdict(scored({table("t,x,eta\n1,0,0\n1,10,0\n", "mine.csv")}), "profiles-given"), "fail");
+     verdict_of(scored({file_of("t,x,eta\n1,0,0\n1,10,0\n", "mine.csv")}), "profiles-given"), "fail");
   const std::string in_order = profiles(0);
   std::istringstream lines(in_order.substr(in_order.find('\n') + 1));
   std::string reversed;
   for (std::string line; std::getline(lines, line);) reversed = line + "\n" + reversed;
   is("Rows in the reverse order are sorted.",
-     verdict(scored({table("t,x,eta\n" + reversed, "mine.csv")}), "eta-relative_l2"), "pass");
+     verdict_of(scored({file_of("t,x,eta\n" + reversed, "mine.csv")}), "eta-relative_l2"), "pass");
   is("The column in which the rows differ is named in the message.",
      refusal("t,x,y,eta\n1,0,0,0\n1,1,0,0\n1,0,3,0\n1,1,3,0\n2,0,0,0\n2,1,0,0\n"), "holds y = 0 and 3, and one alone");
   is("Several rows of single numbers are rejected.", refusal("runup\n1\n2\n"),
@@ -159,42 +126,23 @@ TEST_CASE("a declared submission is measured and evaluated in every group", "[ev
 }
 
 TEST_CASE("quantities without a reference need not be submitted", "[evidence]") {
-  const std::vector<WantedTable> wanted{
-      {.name = "gauge",
-       .kind = WantedTable::Kind::series,
-       .abscissa = Column{"t", "s", "time"},
-       .quantities = {{.column = {"eta", "m", "elevation"},
-                       .reference = [](Place p) { return p.abscissa > 0 ? std::sin(p.abscissa) : std::nan(""); }}},
-       .points = [](double) {
-         return std::vector<double>{0, 1, 2, 3, 4};
-       }}};
-  SubmittedGroup later{.value = 0, .abscissa = {1, 2, 3, 4}, .values = {}};
+  const WantedTable gauge = wanted_elevation(
+      "gauge", WantedTable::Kind::series, [](Place p) { return p.abscissa > 0 ? std::sin(p.abscissa) : std::nan(""); },
+      multiples(1, 4));
+  SubmittedGroup later{.abscissa = {1, 2, 3, 4}};
   for (const double t : later.abscissa) later.values["eta"].push_back(std::sin(t));
-  evidence::Record record;
-  record.solver = "other";
-  score(wanted, {{"gauge", {later}}}, {}, record);
-  CHECK(verdict(record, "gauge-coverage") == "pass");
+  CHECK(verdict_of(scored({gauge}, {{"gauge", {later}}}), "gauge-coverage") == "pass");
 }
 
 TEST_CASE("an arrival is measured where something arrives", "[evidence]") {
   Check check("measured_arrival", "The arrival of a series",
               "A gauge that rises from rest has an arrival; a wall whose water falls from its highest has none.");
-  std::vector<double> t;
-  for (int k = 0; k <= 100; ++k) t.push_back(0.1 * k);
   const auto measured = [&](double phase) {
     const auto eta = [phase](double time) { return std::sin(time + phase); };
-    const std::vector<WantedTable> wanted{
-        {.name = "gauge",
-         .kind = WantedTable::Kind::series,
-         .abscissa = Column{"t", "s", "time"},
-         .quantities = {{.column = {"eta", "m", "elevation"}, .reference = [eta](Place p) { return eta(p.abscissa); }}},
-         .points = [t](double) { return t; }}};
-    SubmittedGroup late{.value = 0, .abscissa = t, .values = {}};
-    for (const double time : t) late.values["eta"].push_back(eta(time - 0.2));
-    evidence::Record record;
-    record.solver = "other";
-    score(wanted, {{"gauge", {late}}}, {}, record);
-    return record.measurements();
+    const WantedTable gauge = wanted_elevation(
+        "gauge", WantedTable::Kind::series, [eta](Place p) { return eta(p.abscissa); }, multiples(0.1, 100));
+    const Submitted late = submission({gauge}, [&](const auto&, Place p) { return eta(p.abscissa - 0.2); });
+    return scored({gauge}, late).measurements();
   };
   const double pi = std::acos(-1.0);
   check.holds("The arrival error of a rise lagging by 0.2 s is 0.2 s.", {measured(-0.5 * pi).at("eta_arrival_error")},
@@ -222,13 +170,9 @@ TEST_CASE("every measure of a curve follows by hand, with the uncertainty that i
       {Measure::peak_shift, "peak_shift", "shift of the peak", "s", 0, u_x},
       {Measure::arrival_error, "arrival_error", "error of arrival", "s", 0.2 / 2.5 - 0.2 / 2, u_x},
       {Measure::skill, "skill", "Willmott's index of agreement", "1", 1 - 0.3125 / 23.8125, 0}};
-  WantedTable gauge{.name = "gauge",
-                    .kind = WantedTable::Kind::series,
-                    .abscissa = Column{"t", "s", "time"},
-                    .quantities = {{.column = {"eta", "m", "elevation"},
-                                    .reference = [r](Place p) { return r[static_cast<std::size_t>(p.abscissa)]; }}},
-                    .points = [x](double) { return x; },
-                    .reference_role = Role::data};
+  WantedTable gauge = wanted_elevation(
+      "gauge", WantedTable::Kind::series, [r](Place p) { return r[static_cast<std::size_t>(p.abscissa)]; }, x);
+  gauge.reference_role = Role::data;
   for (const Row& row : rows) {
     gauge.quantities.front().requirements.push_back(
         {row.measure,
@@ -241,9 +185,7 @@ TEST_CASE("every measure of a curve follows by hand, with the uncertainty that i
       {{"eta", uncertainty_from("eta", "5%")}, {"t", {.value = u_x / 3, .relative = true}}},
       {{"eta", {.value = 0.06, .scatter = 0.08}}, {"t", {.value = 0, .scatter = u_x}}}};
   for (const auto& uncertainty : alike) {
-    evidence::Record record;
-    record.solver = "other";
-    score({gauge}, all, uncertainty, record);
+    const evidence::Record record = scored({gauge}, all, uncertainty);
     REQUIRE(record.claims().size() == rows.size() + 1);
     CHECK((record.claims()[0].claim.id == "gauge-coverage" && record.claims()[0].judgement.measured == 1));
     for (std::size_t k = 0; k < rows.size(); ++k) {
@@ -259,18 +201,16 @@ TEST_CASE("every measure of a curve follows by hand, with the uncertainty that i
     }
     const evidence::Table& table = record.tables().front();
     CHECK(table.id == "gauge-measures");
-    const auto at = [&](std::size_t k) { return std::get<double>(table.rows.front().at(k)); };
-    const std::vector<std::pair<std::string, double>> entries{{"points", 4},
-                                                              {"coverage", 1},
-                                                              {"relative L1", rows[1].value},
-                                                              {"relative L2", rows[2].value},
-                                                              {"relative Linf", 0.25},
-                                                              {"skill", rows[8].value},
-                                                              {"amplitude ratio", rows[4].value}};
-    for (std::size_t k = 0; k < entries.size(); ++k) {
-      CHECK((table.columns.at(k + 2).first == entries[k].first && at(k + 2) == Approx(entries[k].second)));
+    const auto& row = table.rows.front();
+    std::size_t column = 2;
+    for (const auto& [name, value] :
+         {std::pair("points", 4.0), std::pair("coverage", 1.0), std::pair("relative L1", rows[1].value),
+          std::pair("relative L2", rows[2].value), std::pair("relative Linf", 0.25), std::pair("skill", rows[8].value),
+          std::pair("amplitude ratio", rows[4].value)}) {
+      CHECK((table.columns.at(column).first == name && std::get<double>(row.at(column)) == Approx(value)));
+      ++column;
     }
-    CHECK((table.columns.back().first == "error of the peak" && at(table.columns.size() - 1) == 0.5));
+    CHECK((table.columns.back().first == "error of the peak" && std::get<double>(row.back()) == 0.5));
     const evidence::Panel& panel = record.figures().front().panels().front();
     CHECK(
         (panel.axes().x == "t [s]" && panel.axes().y == "elevation eta [m]" && record.figures().front().id == "gauge"));
@@ -278,8 +218,7 @@ TEST_CASE("every measure of a curve follows by hand, with the uncertainty that i
     CHECK((panel.series()[0].label == "reference" && panel.series()[0].x == x && panel.series()[0].y == r));
     CHECK((panel.series()[1].label == "submitted" && panel.series()[1].x == x && panel.series()[1].y == s));
   }
-  evidence::Record unstated;
-  score({gauge}, all, {}, unstated);
+  const evidence::Record unstated = scored({gauge}, all);
   for (const auto& one : unstated.claims()) {
     if (one.claim.id != "eta-skill") CHECK_FALSE(one.judgement.uncertainty.has_value());
   }
@@ -287,20 +226,11 @@ TEST_CASE("every measure of a curve follows by hand, with the uncertainty that i
 
 TEST_CASE("six groups at most are drawn, each in a panel with its own curve", "[evidence]") {
   const std::vector<double> x{0, 1};
-  WantedTable wave{.name = "wave",
-                   .kind = WantedTable::Kind::profile,
-                   .group = Column{"t", "s", "time"},
-                   .abscissa = Column{"x", "m", "position"},
-                   .quantities = {{.column = {"eta", "m", "elevation"},
-                                   .reference = [](Place p) { return 10 * p.group + p.abscissa; }}},
-                   .groups = std::vector<double>{1, 2, 3, 4, 5, 6, 7},
-                   .points = [x](double) { return x; },
-                   .reference_role = Role::data};
-  std::vector<SubmittedGroup> groups;
-  for (const double t : *wave.groups) groups.push_back({.value = t, .abscissa = x, .values = {{"eta", {t, t + 0.5}}}});
-  evidence::Record record;
-  record.solver = "other";
-  score({wave}, {{"wave", groups}}, {}, record);
+  WantedTable wave = wanted_elevation("wave", WantedTable::Kind::profile,
+                                      [](Place p) { return 10 * p.group + p.abscissa; }, x, {1, 2, 3, 4, 5, 6, 7});
+  wave.reference_role = Role::data;
+  const evidence::Record record =
+      scored({wave}, submission({wave}, [](const auto&, Place p) { return p.group + 0.5 * p.abscissa; }));
   REQUIRE(record.figures().size() == 1);
   CHECK((record.figures().front().id == "wave-eta" && record.figures().front().panels().size() == 6));
   for (std::size_t k = 0; k < 6; ++k) {

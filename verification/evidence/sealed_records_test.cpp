@@ -118,15 +118,6 @@ TEST_CASE("escape sequences of a record do not reach the terminal", "[record]") 
   CHECK(read_summary(written.json).claims.at(0).text == "a ?[31mholds");
 }
 
-TEST_CASE("a path that is not a file is not a record", "[record]") {
-  const Written written;
-  const auto link = written.scratch.path() / "link.json";
-  std::filesystem::create_symlink("sample.json", link);
-  CHECK_THROWS_WITH(read_summary(link), Catch::Matchers::Contains("link.json"));
-  std::filesystem::resize_file(written.json, 9 << 20);
-  CHECK_THROWS_WITH(read_summary(written.json), Catch::Matchers::Contains("9437184 bytes, more than"));
-}
-
 TEST_CASE("a record has one writer, and its lock goes with it", "[record]") {
   const ScratchFolder scratch("seiche_record_lock");
   const auto files = [&] { return std::distance(std::filesystem::directory_iterator(scratch.path()), {}); };

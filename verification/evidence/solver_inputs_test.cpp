@@ -7,6 +7,7 @@
 #include "seiche/io/atomic_file.hpp"
 #include "validation/scoring/solver_inputs.hpp"
 #include "verification/check.hpp"
+#include "verification/evidence/says.hpp"
 #include "verification/message_of.hpp"
 #include "verification/scratch_folder.hpp"
 
@@ -36,10 +37,7 @@ TEST_CASE("files for other solvers are in the formats that these read", "[eviden
   Check check("solver_inputs", "Initial states for other solvers",
               "Lists of OpenFOAM, grids of GeoClaw, a motion for DualSPHysics and a legacy VTK file, read back number "
               "by number.");
-  const auto is = [&](const std::string& text, const std::string& got, const std::string& expected) {
-    check.holds(text, {got.find(expected) != std::string::npos ? 1.0 : 0.0},
-                Qualitative{"\"" + expected + "\"", "the format"});
-  };
+  const auto is = [&](const auto&... words) { says(check, words..., "the format"); };
   const auto exactly = [&](const std::string& text, double value, double expected) {
     check.holds(text, {value}, Bound{0, "17 digits hold a number", expected});
   };

@@ -2,45 +2,24 @@
 
 #include <fmt/format.h>
 
-#include "validation/case/job.hpp"
 #include "validation/case/registry.hpp"
-#include "validation/scoring/score.hpp"
 #include "verification/check.hpp"
+#include "verification/evidence/submissions.hpp"
 
 namespace seiche::verification::submissions_test {
 
 using namespace validation;
 
-/// What a solver would submit whose every value is `factor` times the reference.
-Submitted submission(const std::vector<WantedTable>& wanted, double factor) {
-  Submitted submitted;
-  for (const WantedTable& table : wanted) {
-    for (const double group : table.groups->empty() ? std::vector<double>{0} : *table.groups) {
-      SubmittedGroup one{.value = group, .abscissa = {}, .values = {}};
-      if (table.points) one.abscissa = table.points(group);
-      for (const WantedQuantity& quantity : table.quantities) {
-        std::vector<double>& values = one.values[quantity.column.name];
-        for (const double at : one.abscissa.empty() ? std::vector<double>{0} : one.abscissa) {
-          values.push_back(factor * quantity.reference({group, at}));
-        }
-      }
-      submitted[table.name].push_back(std::move(one));
-    }
-  }
-  return submitted;
-}
-
 long passed(const Case& one, const Values& values, const std::vector<WantedTable>& wanted, double factor,
             long& claims) {
-  evidence::Record record = Job{&one, values}.blank_record();
-  const Submitted submitted = submission(wanted, factor);
   SolverFacts facts;  // known to the last digit, and said so
   for (const WantedTable& table : wanted) {
     if (table.abscissa) facts.uncertainty[table.abscissa->name] = {};
     for (const WantedQuantity& quantity : table.quantities) facts.uncertainty[quantity.column.name] = {};
   }
-  score(wanted, submitted, facts.uncertainty, record);
-  if (one.submission.judge) one.submission.judge(values, submitted, facts, record);
+  const evidence::Record record =
+      scored(one, values, wanted,
+             submission(wanted, [&](const WantedQuantity& q, Place p) { return factor * q.reference(p); }), facts);
   claims = static_cast<long>(record.claims().size());
   long passes = 0;
   for (const evidence::JudgedClaim& claim : record.claims()) {

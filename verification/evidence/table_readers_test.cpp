@@ -8,6 +8,7 @@
 #include "validation/scoring/submitted.hpp"
 #include "validation/scoring/units.hpp"
 #include "verification/check.hpp"
+#include "verification/evidence/submissions.hpp"
 #include "verification/message_of.hpp"
 #include "verification/scratch_folder.hpp"
 
@@ -36,8 +37,14 @@ double wrong_words(const std::vector<std::string>& found, const std::vector<std:
 
 /// 1 if the table is refused.
 double refused(const std::string& text) {
+  return message_of([&] { file_of(text, "table.csv"); }).empty() ? 0 : 1;
+}
+
+/// A file of a submission, for the tables that are asked for.
+validation::Submitted submitted(const std::string& text, const validation::WantedTable& wanted,
+                                validation::Understanding how = {}) {
   std::istringstream in(text);
-  return message_of([&] { io::read_csv(in, "table.csv"); }).empty() ? 0 : 1;
+  return submitted_from({io::read_text_table(io::text_of(in, "mine.csv"))}, {wanted}, how);
 }
 
 class ReaderClaims {
@@ -51,7 +58,6 @@ class ReaderClaims {
   }
 
  private:
-  static constexpr const char* source = "interface of the readers";
   Check& check_;
 };
 
@@ -66,8 +72,7 @@ TEST_CASE("a table has every number where the file has it", "[evidence]") {
   const std::string text =
       "\xEF\xBB\xBF# a comment\r\n t [s] ,\"h [m]\", \"u, x\" \r\n0,-1.5,7\r\n\n0.1 , 1234567.25 ,+8\r# "
       "another\n\"2e-3\",0.33333333333333331,9";
-  std::istringstream in(text);
-  const io::Table csv = io::read_csv(in, "table.csv");
+  const io::Table csv = file_of(text, "table.csv");
   claims.none_wrong("csv-numbers", "The numbers of a CSV file are read into their rows and columns.",
                     wrong_entries(csv.columns, numbers));
   claims.none_wrong("csv-names", "Column names of a CSV file are read.", wrong_words(csv.names, {"t", "h", "u, x"}));
@@ -108,8 +113,7 @@ TEST_CASE("a table has every number where the file has it", "[evidence]") {
 }
 
 TEST_CASE("numbers as Fortran writes them are read", "[evidence]") {
-  std::istringstream in("a,b,c,d,e\n1.5D+02,2.d-1,0.25-103,.5+101,-3.E0\n");
-  CHECK(io::read_csv(in, "table.csv").columns ==
+  CHECK(file_of("a,b,c,d,e\n1.5D+02,2.d-1,0.25-103,.5+101,-3.E0\n", "table.csv").columns ==
         std::vector<std::vector<double>>{{150}, {0.2}, {0.25e-103}, {0.5e101}, {-3}});
 }
 
@@ -140,17 +144,9 @@ TEST_CASE("units agree with the BIPM's brochure and CF", "[evidence]") {
 
 TEST_CASE("adjacent gauges are distinguished by the numbers in their names", "[evidence]") {
   using namespace validation;
-  const WantedTable wanted{.name = "gauges",
-                           .kind = WantedTable::Kind::series,
-                           .group = Column{"x", "m", "position"},
-                           .abscissa = Column{"t", "s", "time"},
-                           .quantities = {{.column = {"eta", "m", "elevation"}, .reference = {}, .requirements = {}}},
-                           .groups = {-2.5, 6.0},
-                           .points = {}};
+  const WantedTable wanted = wanted_elevation("gauges", WantedTable::Kind::series, {}, {}, {-2.5, 6});
   for (const std::string names : {"x=-2.5,x=6", "-2.5,sta-6", "eta=-2.5,WG_06"}) {
-    std::istringstream in("t," + names + "\n0,1,2\n1,3,4\n");
-    Understanding understood;
-    const auto groups = submitted_from({io::read_text_table(io::text_of(in, "mine.csv"))}, {wanted}, understood);
+    const Submitted groups = submitted("t," + names + "\n0,1,2\n1,3,4\n", wanted);
     INFO(names);
     REQUIRE(groups.at("gauges").size() == 2);
     CHECK(groups.at("gauges")[0].value == -2.5);
@@ -163,18 +159,10 @@ TEST_CASE("a submission is read by the names and units of its columns", "[eviden
   Check check("submission_readers", "Submissions as they are read",
               "Two times of a profile, columns in another order and under other names, times not quite round.");
   const ReaderClaims claims(check);
-  const WantedTable wanted{.name = "profiles",
-                           .kind = WantedTable::Kind::profile,
-                           .group = Column{"t", "s", "time"},
-                           .abscissa = Column{"x", "m", "position"},
-                           .quantities = {{.column = {"h", "m", "depth"}, .reference = {}, .requirements = {}},
-                                          {.column = {"u", "m/s", "velocity"}, .reference = {}, .requirements = {}}},
-                           .groups = {1, 2},
-                           .points = {}};
+  WantedTable wanted = wanted_elevation("profiles", WantedTable::Kind::profile, {}, {}, {1, 2});
+  wanted.quantities = {{.column = {"h", "m", "depth"}}, {.column = {"u", "m/s", "velocity"}}};
   const auto read = [&](const std::string& text) {
-    std::istringstream in(text);
-    Understanding understood{.renamed = {{"h", "depth"}}};
-    return submitted_from({io::read_text_table(io::text_of(in, "mine.csv"))}, {wanted}, understood).at("profiles");
+    return submitted(text, wanted, {.renamed = {{"h", "depth"}}}).at("profiles");
   };
   const std::vector<SubmittedGroup> groups =
       read("u [m/s],depth [m],x [m],t [s]\n9,9,-5,0.5\n5,1,0,1\n7,3,0,2\n6,2,10,1.0000001\n8,4,10,2\n");

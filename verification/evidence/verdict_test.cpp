@@ -1,6 +1,8 @@
 // The judge is judged: these tests use plain Catch2, not the machinery they check.
 #include <limits>
+#include <optional>
 #include <stdexcept>
+#include <tuple>
 #include <vector>
 
 #include "reports/evidence/record.hpp"
@@ -10,19 +12,30 @@
 namespace seiche::verification::verdict_test {
 
 using namespace evidence;
+constexpr auto pass = Verdict::pass, inconclusive = Verdict::inconclusive, fail = Verdict::fail;
 
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinite = std::numeric_limits<double>::infinity();
 const Claim claim{.id = "depth", .text = "The depth is right.", .quantity = "depth", .unit = "m", .source = "none"};
 
+/// A value, with its uncertainty where one was estimated, and what it must be judged to be.
+struct Is {
+  Verdict expected;
+  double value;
+  std::optional<double> uncertainty = {};
+};
+
+void check_verdicts(const Criterion& criterion, const std::vector<Is>& rows) {
+  for (const auto& [expected, value, uncertainty] : rows) {
+    CAPTURE(value, uncertainty.has_value(), uncertainty.value_or(0));
+    CHECK(name(judge({.value = value, .uncertainty = uncertainty}, criterion).verdict) == name(expected));
+  }
+}
+
 TEST_CASE("a bound passes inside, fails outside, and is inconclusive when the uncertainty straddles it", "[verdict]") {
   const Bound bound{.limit = 0.1, .reason = "test", .expected = 2.0};
-  CHECK(judge({.value = 2.05}, bound).verdict == Verdict::pass);
-  CHECK(judge({.value = 2.2}, bound).verdict == Verdict::fail);
-  CHECK(judge({.value = 2.05, .uncertainty = 0.04}, bound).verdict == Verdict::pass);
-  CHECK(judge({.value = 2.05, .uncertainty = 0.07}, bound).verdict == Verdict::inconclusive);
-  CHECK(judge({.value = 2.2, .uncertainty = 0.05}, bound).verdict == Verdict::fail);
-  CHECK(judge({.value = 2.0, .uncertainty = infinite}, bound).verdict == Verdict::inconclusive);
+  check_verdicts(bound, {Is{pass, 2.05}, Is{fail, 2.2}, Is{pass, 2.05, 0.04}, Is{inconclusive, 2.05, 0.07},
+                         Is{fail, 2.2, 0.05}, Is{inconclusive, 2.0, infinite}});
 }
 
 TEST_CASE("a value that is not finite is an error, whatever the criterion", "[verdict]") {
@@ -32,18 +45,16 @@ TEST_CASE("a value that is not finite is an error, whatever the criterion", "[ve
   const Qualitative qualitative{.detector = "test", .reason = "test"};
   for (const double broken : {not_a_number, infinite, -infinite}) {
     for (const Criterion& criterion : std::vector<Criterion>{bound, roundoff, uncertainty, qualitative}) {
-      CHECK(judge({.value = broken, .uncertainty = 0}, criterion).verdict == Verdict::error);
+      check_verdicts(criterion, {Is{Verdict::error, broken, 0}});
     }
-    CHECK(judge({.value = 2}, Bound{broken, "test", 2.0}).verdict == Verdict::error);
-    CHECK(judge({.value = 2}, Bound{0.1, "test", broken}).verdict == Verdict::error);
-    CHECK(judge({.value = 0}, Roundoff{.operations = broken, .reason = "test"}).verdict == Verdict::error);
-    CHECK(judge({.value = 0}, Roundoff{.scale = broken, .reason = "test"}).verdict != Verdict::pass);
-    CHECK(judge({.value = 2, .uncertainty = 0}, Uncertainty{.expected = 2, .data = broken, .useful = 1, .reason = "t"})
-              .verdict == Verdict::error);
+    check_verdicts(Bound{broken, "test", 2.0}, {Is{Verdict::error, 2}});
+    check_verdicts(Bound{0.1, "test", broken}, {Is{Verdict::error, 2}});
+    check_verdicts(Roundoff{.operations = broken, .reason = "test"}, {Is{Verdict::error, 0}});
+    check_verdicts(Uncertainty{.expected = 2, .data = broken, .useful = 1, .reason = "t"}, {Is{Verdict::error, 2, 0}});
+    CHECK(judge({.value = 0}, Roundoff{.scale = broken, .reason = "test"}).verdict != pass);
   }
-  CHECK(judge({.value = 2.0, .uncertainty = not_a_number}, bound).verdict == Verdict::error);
-  CHECK(judge({.value = 2.0, .uncertainty = -0.1}, bound).verdict == Verdict::error);
-  CHECK(judge({.value = 2.0, .uncertainty = not_a_number}, uncertainty).verdict == Verdict::error);
+  check_verdicts(bound, {Is{Verdict::error, 2, not_a_number}, Is{Verdict::error, 2, -0.1}});
+  check_verdicts(uncertainty, {Is{Verdict::error, 2, not_a_number}});
 }
 
 TEST_CASE("an extreme with a NaN among its samples, or without samples, is an error", "[verdict]") {
@@ -56,71 +67,59 @@ TEST_CASE("an extreme with a NaN among its samples, or without samples, is an er
 
 TEST_CASE("a relative bound is relative to the expected value", "[verdict]") {
   const Bound bound{.limit = 0.01, .reason = "test", .expected = -50.0, .relative = true};
-  CHECK(judge({.value = -50.4}, bound).verdict == Verdict::pass);
-  CHECK(judge({.value = -50.6}, bound).verdict == Verdict::fail);
+  check_verdicts(bound, {Is{pass, -50.4}, Is{fail, -50.6}});
   CHECK(judge({.value = -50.6}, bound).limit == 0.5);
 }
 
 TEST_CASE("a round-off limit grows with the square root of the operations", "[verdict]") {
   const double eps = std::numeric_limits<double>::epsilon();
   const Roundoff roundoff{.operations = 1e4, .scale = 10, .reason = "test"};
-  CHECK(judge({.value = 3.9e3 * eps}, roundoff).verdict == Verdict::pass);
-  CHECK(judge({.value = 4.1e3 * eps}, roundoff).verdict == Verdict::fail);
+  check_verdicts(roundoff, {Is{pass, 3.9e3 * eps}, Is{fail, 4.1e3 * eps}});
 }
 
+// 2 sqrt(0.03^2 + 0.04^2) = 0.1 of data and inputs, and 0.2 that is the most with which anything is decided.
+const Uncertainty decisive{.expected = 1, .data = 0.03, .input = 0.04, .useful = 0.2, .reason = "test"};
+const Uncertainty vague{.expected = 1, .data = 0.5, .useful = 0.2, .reason = "test"};  // 2 u_data = 1
+
 TEST_CASE("agreement within an uncertainty too large to decide is inconclusive", "[verdict]") {
-  const Uncertainty decisive{.expected = 1, .data = 0.03, .input = 0.04, .useful = 0.2, .reason = "test"};
-  CHECK(judge({.value = 1.09, .uncertainty = 0}, decisive).verdict == Verdict::pass);  // 2 sqrt(0.03^2 + 0.04^2) = 0.1
-  CHECK(judge({.value = 1.11, .uncertainty = 0}, decisive).verdict == Verdict::fail);
-  CHECK(judge({.value = 1.15, .uncertainty = 0.3}, decisive).verdict == Verdict::inconclusive);
-  const Uncertainty vague{.expected = 1, .data = 0.5, .useful = 0.2, .reason = "test"};
-  CHECK(judge({.value = 1.0, .uncertainty = 0}, vague).verdict == Verdict::inconclusive);
+  check_verdicts(decisive, {Is{pass, 1.09, 0}, Is{fail, 1.11, 0}, Is{inconclusive, 1.15, 0.3}});
+  check_verdicts(vague, {Is{inconclusive, 1.0, 0}});
 }
 
 TEST_CASE("a difference beyond an uncertainty too large for agreement fails", "[verdict]") {
-  const Uncertainty vague{.expected = 1, .data = 0.5, .useful = 0.2, .reason = "test"};  // 2 u_data = 1
-  CHECK(judge({.value = 1.99, .uncertainty = 0}, vague).verdict == Verdict::inconclusive);
-  CHECK(judge({.value = 2.01, .uncertainty = 0}, vague).verdict == Verdict::fail);
+  check_verdicts(vague, {Is{inconclusive, 1.99, 0}, Is{fail, 2.01, 0}});
 }
 
 TEST_CASE("agreement within uncertainties is inconclusive where the numerical uncertainty was not estimated",
           "[verdict]") {
-  const Uncertainty decisive{.expected = 1, .data = 0.03, .input = 0.04, .useful = 0.2, .reason = "test"};
-  CHECK(judge({.value = 1}, decisive).verdict == Verdict::inconclusive);
-  CHECK(judge({.value = 1.29}, decisive).verdict == Verdict::inconclusive);
+  check_verdicts(decisive, {Is{inconclusive, 1}, Is{inconclusive, 1.29}});
   CHECK_FALSE(judge({.value = 1}, decisive).uncertainty.has_value());
 }
 
 TEST_CASE("a difference beyond any uncertainty that decides fails, estimated or not", "[verdict]") {
-  // 2 sqrt(0.03^2 + 0.04^2) = 0.1 of data and inputs, and 0.2 that is the most with which anything is decided.
-  const Uncertainty decisive{.expected = 1, .data = 0.03, .input = 0.04, .useful = 0.2, .reason = "test"};
-  CHECK(judge({.value = 1.31}, decisive).verdict == Verdict::fail);
-  CHECK(judge({.value = 0.69}, decisive).verdict == Verdict::fail);
+  check_verdicts(decisive, {Is{fail, 1.31}, Is{fail, 0.69}, Is{Verdict::error, not_a_number}});
   CHECK_THAT(judge({.value = 1.31}, decisive).note, Catch::Contains("not estimated"));
-  CHECK(judge({.value = not_a_number}, decisive).verdict == Verdict::error);
   const Uncertainty capped{.expected = Amount::at_most(1, 0.5), .data = 0.03, .useful = 0.2, .reason = "test"};
-  CHECK(judge({.value = 5}, capped).verdict == Verdict::inconclusive);
+  check_verdicts(capped, {Is{inconclusive, 5}});
 }
 
 TEST_CASE("a criterion set by the run decides up to its cap and no further", "[verdict]") {
   const Criterion rounding = Roundoff{Amount::told_by_run(100), 10, "test"};
   const double eps = std::numeric_limits<double>::epsilon();
-  const auto verdict = [&](double value, double operations) {
-    const Measurement measured{.value = value, .told = {.operations = operations}};
-    return judge(measured, settled(rounding, measured.told)).verdict;
+  const auto told = [](const Criterion& criterion, const Measurement& measured) {
+    return judge(measured, settled(criterion, measured.told)).verdict;
   };
-  CHECK(verdict(390 * eps, 100) == Verdict::pass);
-  CHECK(verdict(410 * eps, 100) == Verdict::fail);
-  CHECK(verdict(0, 101) == Verdict::inconclusive);
-  CHECK(verdict(1e9, 101) == Verdict::inconclusive);
-  CHECK(verdict(0, not_a_number) == Verdict::error);
-  CHECK(verdict(0, infinite) == Verdict::error);
-  CHECK(verdict(not_a_number, 101) == Verdict::error);
-
+  for (const auto& [expected, value, operations] :
+       {std::tuple(pass, 390 * eps, 100.), std::tuple(fail, 410 * eps, 100.), std::tuple(inconclusive, 0., 101.),
+        std::tuple(inconclusive, 1e9, 101.), std::tuple(Verdict::error, 0., not_a_number),
+        std::tuple(Verdict::error, 0., infinite), std::tuple(Verdict::error, not_a_number, 101.)}) {
+    CAPTURE(value, operations);
+    CHECK(told(rounding, {.value = value, .told = {.operations = operations}}) == expected);
+  }
   const Criterion extrapolated = Bound{Amount::told_by_run(0.01), "test", 1};
-  CHECK(judge({.value = 1.005}, settled(extrapolated, {.limit = 0.008})).verdict == Verdict::pass);
-  CHECK(judge({.value = 1.005}, settled(extrapolated, {.limit = 0.02})).verdict == Verdict::inconclusive);
-  CHECK(judge({.value = 1.005}, settled(extrapolated, {.limit = -0.02})).verdict != Verdict::pass);
+  CHECK(told(extrapolated, {.value = 1.005, .told = {.limit = 0.008}}) == pass);
+  CHECK(told(extrapolated, {.value = 1.005, .told = {.limit = 0.02}}) == inconclusive);
+  CHECK(told(extrapolated, {.value = 1.005, .told = {.limit = -0.02}}) != pass);
 }
 
 TEST_CASE("an amount due from the run but not set is rejected, and so is one set although it was stated", "[verdict]") {
@@ -138,10 +137,9 @@ TEST_CASE("an amount due from the run but not set is rejected, and so is one set
 }
 
 TEST_CASE("a criterion without a reason is rejected", "[verdict]") {
-  CHECK_THROWS_AS(judge({.value = 1}, Bound{.limit = 1}), std::invalid_argument);
-  CHECK_THROWS_AS(judge({.value = 1}, Roundoff{}), std::invalid_argument);
-  CHECK_THROWS_AS(judge({.value = 1}, Uncertainty{}), std::invalid_argument);
-  CHECK_THROWS_AS(judge({.value = 1}, Qualitative{}), std::invalid_argument);
+  for (const Criterion& none : std::vector<Criterion>{Bound{.limit = 1}, Roundoff{}, Uncertainty{}, Qualitative{}}) {
+    CHECK_THROWS_AS(judge({.value = 1}, none), std::invalid_argument);
+  }
   CHECK_THROWS_AS(judge(ObservedOrder{}, Order{}), std::invalid_argument);
 }
 
@@ -149,9 +147,9 @@ TEST_CASE("a later success does not overwrite an earlier failure", "[record]") {
   Record record;
   record.name = "test";
   const Bound bound{.limit = 0.1, .reason = "test"};
-  CHECK(record.check(claim, {.value = 0.01}, bound) == Verdict::pass);
-  CHECK(record.check(claim, {.value = 5.0}, bound) == Verdict::fail);
-  CHECK(record.check(claim, {.value = 0.01}, bound) == Verdict::fail);
+  CHECK(record.check(claim, {.value = 0.01}, bound) == pass);
+  CHECK(record.check(claim, {.value = 5.0}, bound) == fail);
+  CHECK(record.check(claim, {.value = 0.01}, bound) == fail);
   CHECK(record.claims().size() == 1);
   CHECK(record.claims()[0].judgement.measured == 5.0);
   CHECK_FALSE(record.as_declared());
@@ -170,12 +168,12 @@ TEST_CASE("a known deviation fails by as much as was declared, or is unexpected"
   for (const double value : {4.4, 5.6, 1e9, -5.0}) {
     const Record record = measured(value);
     CHECK_FALSE(record.as_declared());
-    CHECK(record.claims()[0].judgement.verdict == Verdict::fail);
+    CHECK(record.claims()[0].judgement.verdict == fail);
     CHECK(record.claims()[0].judgement.note.find("outside the band") == 0);
   }
   const Record surprised = measured(0);
   CHECK_FALSE(surprised.as_declared());
-  CHECK(surprised.claims()[0].judgement.verdict == Verdict::pass);
+  CHECK(surprised.claims()[0].judgement.verdict == pass);
   for (const double broken : {not_a_number, infinite}) {
     const Record record = measured(broken);
     CHECK_FALSE(record.as_declared());
@@ -233,7 +231,7 @@ TEST_CASE("what a criterion does not state is one operation, size 1, expected 0,
   const Judgement uncertain = judged(Uncertainty{.data = 0.5, .useful = 9, .reason = "r"});
   CHECK((uncertain.limit == 1 && uncertain.expected == 0));
   CHECK(judged(Uncertainty{.input = 0.25, .useful = 9, .reason = "r"}).limit == 0.5);
-  CHECK(judged(Uncertainty{.data = 0.5, .reason = "r"}).verdict == Verdict::inconclusive);
+  CHECK(judged(Uncertainty{.data = 0.5, .reason = "r"}).verdict == inconclusive);
   CHECK(judged(Qualitative{.detector = "d", .reason = "r"}).expected == 1);
   CHECK((Order{}.theory == 2 && Order{}.tolerance == 0.1));
   const KnownFailure zero{.reason = "r"};

@@ -21,8 +21,7 @@ TEST_CASE("bore and stationary jump satisfy the jump conditions", "[exact]") {
       "computed as the difference of energy fluxes and compared with the closed form $g a (h_1 - h_0)^3/(4 h_1)$.",
       source);
   const Bore bore(g, 1, 2);
-  const double a = bore.speed();
-  const double u = bore.behind_velocity();
+  const double a = bore.speed(), u = bore.behind_velocity();
   const Roundoff limit{.operations = 20, .scale = 60, .reason = "20 rounded operations, terms up to 60"};
   check.that("mass", "Mass is conserved across the bore to round-off.", "h1 (u1 - a) + h0 a [m^2/s]", {2 * (u - a) + a},
              limit);

@@ -114,8 +114,7 @@ double largest_difference(const ExactSolution& solution, const Numbers& one, con
   for (std::size_t r = 0; r < one.size(); ++r) {
     if (one[r].has_value() != other[r].has_value()) return INFINITY;
     for (std::size_t i = 0; one[r] && i < one[r]->size(); ++i) {
-      const double a = (*one[r])[i];
-      const double b = (*other[r])[i];
+      const double a = (*one[r])[i], b = (*other[r])[i];
       if (a == b || (std::isnan(a) && std::isnan(b))) {
         worst.add(0);
       } else {

@@ -58,10 +58,8 @@ class Snapshot {
   /// Residual of the Green-Naghdi momentum equation over an uneven bottom, in the operators T and Q of Bonneton et al.,
   /// against what the sources contribute.
   [[nodiscard]] double green_naghdi() const {
-    const Eigen::ArrayXd h = depth_;
-    const Eigen::ArrayXd d = acceleration_;
-    const Eigen::ArrayXd u_x = along(u_);
-    const Eigen::ArrayXd d_x = along(d);
+    const Eigen::ArrayXd h = depth_, d = acceleration_;
+    const Eigen::ArrayXd u_x = along(u_), d_x = along(d);
     const Eigen::ArrayXd inertia = -along(h.cube() * d_x) / (3 * h) +
                                    (along(h.square() * slope_ * d) - h.square() * slope_ * d_x) / (2 * h) +
                                    slope_.square() * d;

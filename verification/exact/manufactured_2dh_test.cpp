@@ -26,10 +26,7 @@ class Snapshot {
   Snapshot(const PlanManufactured::Parameters& p, double t)
       : derivative_(spectral_derivative(period_points, 2 * p.length)) {
     const Field shape = Field::Zero(period_points, period_points);
-    Field x = shape;
-    Field y = shape;
-    Field u = shape;
-    Field v = shape;
+    Field x = shape, y = shape, u = shape, v = shape;
     ax_ = shape;
     ay_ = shape;
     const double w = p.frequency;
@@ -94,8 +91,7 @@ void claim_labels(Check& check, const PlanManufactured& flow) {
   for (double t = 0; t < 5; t += 0.7) {
     for (int i = 0; i <= points; ++i) {
       for (int j = 0; j <= points; ++j) {
-        const double a = length * i / points;
-        const double b = length * j / points;
+        const double a = length * i / points, b = length * j / points;
         const auto at = flow.at(a, b, t);
         const auto label = flow.label(std::clamp(at.x, 0.0, length), std::clamp(at.y, 0.0, length), t);
         worst.add(label.x - a);

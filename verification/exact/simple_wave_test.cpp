@@ -32,8 +32,7 @@ TEST_CASE("the simple wave satisfies the equations until it breaks", "[exact]") 
          });
   Worst mass, momentum;
   const auto integrals = [&](double t) {
-    double m = 0;
-    double q = 0;
+    double m = 0, q = 0;
     for (int k = 0; k < 200; ++k) {
       const auto mean = validation::cell_average(wave, 0.1 * k, 0.1 * (k + 1), t);
       m += 0.1 * mean.depth;

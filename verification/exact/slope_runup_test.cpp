@@ -76,8 +76,7 @@ TEST_CASE("velocities of water over a slope agree with a potential with poles ou
               "Cauchy's integral in a plane where bottom and slope are one straight line. The velocities at a curved "
               "surface are compared with a potential with poles above the water, mirrored in the line.");
   for (const double cotangent : {0.0, 1.0, 3.0}) {
-    const double coarse = error_of_velocity(140, cotangent);
-    const double fine = error_of_velocity(280, cotangent);
+    const double coarse = error_of_velocity(140, cotangent), fine = error_of_velocity(280, cotangent);
     check.holds(
         fmt::format("velocity-{:g}", cotangent) + ": The surface velocities agree with the potential.", {fine},
         Bound{1e-6, "two nodes to the distance of the poles, whose sixth power multiplies the error of the nodes"});
@@ -101,8 +100,7 @@ Check runup_check() {
 
 /// The run-up with the fewest markers beside that of the table.
 SlopeRunup judged(Check& check, const io::Table& table, std::size_t row) {
-  const double a = table.column("A")[row];
-  const double cotangent = table.column("cot_slope")[row];
+  const double a = table.column("A")[row], cotangent = table.column("cot_slope")[row];
   SlopeRunup slope(a, cotangent, 1, 160);
   check.holds(
       fmt::format("The run-up of a wave of H/h = {} on a slope 1:{:g} agrees with the reference.", a, cotangent),

@@ -36,8 +36,7 @@ double by_quadrature(double amplitude, double cotangent, double t) {
 /// Largest amplitude for which the shoreline does not break on its way up.
 double breaking_amplitude(double cotangent) {
   const double estimate = SolitaryRunup(1, 1, 0.01, cotangent).breaking_amplitude();
-  double low = 0.9 * estimate;
-  double high = 1.05 * estimate;
+  double low = 0.9 * estimate, high = 1.05 * estimate;
   for (int i = 0; i < 8; ++i) {
     const double middle = 0.5 * (low + high);
     (SolitaryRunup(1, 1, middle, cotangent).shoreline_steepness().run_up < 1 ? low : high) = middle;
@@ -146,8 +145,7 @@ TEST_CASE("Hall and Watts' correlation and Frank's run-up table", "[exact]") {
   const io::Table measured = validation::reference_table("frank_1994_runup_hall_watts", check.record().reference_data);
   Largest others, suspicious;
   for (std::size_t row = 0; row < measured.rows(); ++row) {
-    const double cotangent = measured.column("cot_slope")[row];
-    const double amplitude = measured.column("A")[row];
+    const double cotangent = measured.column("cot_slope")[row], amplitude = measured.column("A")[row];
     const double printed = measured.column("R_HW")[row];
     const double deviation = std::abs(HallWatts(1, 1 / cotangent).runup(amplitude) / printed - 1);
     (printed == 0.173 ? suspicious : others).add(deviation);

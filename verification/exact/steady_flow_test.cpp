@@ -29,8 +29,7 @@ TEST_CASE("steady flow over a bump conserves its head and satisfies the momentum
       const double h = flow->at(x).depth;
       return h + flow->elevation(x) + q * q / (2 * g * h * h);
     };
-    const double upstream = bernoulli(0);
-    const double downstream = bernoulli(25);
+    const double upstream = bernoulli(0), downstream = bernoulli(25);
     for (double x = 0; x <= 25; x += 0.05) {
       const double expected =
           flow->regime() == SteadyBump::Regime::with_jump && x > flow->jump() ? downstream : upstream;

@@ -23,9 +23,10 @@ const std::string source =
     "Cokelet, Phil. Trans. R. Soc. A 286 (1977) 183; regression: digits computed once at two resolutions";
 
 struct Column {
-  std::string id, quantity;
+  std::string quantity;
   std::function<double(const StokesWave&)> computed;
   std::string printed;  ///< column of the reference
+  Largest worst = {};
 };
 
 TEST_CASE("Stokes waves have every digit of the reference table", "[exact]") {
@@ -34,19 +35,16 @@ TEST_CASE("Stokes waves have every digit of the reference table", "[exact]") {
               "against a table; 2 T = c I, the flux through the crest section and the mean velocity below the troughs, "
               "which need no outside data; a second resolution.",
               source);
-  const std::vector<Column> columns{
-      {"speed", "phase speed", &StokesWave::phase_speed, "c"},
-      {"bernoulli", "Bernoulli constant", &StokesWave::bernoulli_constant, "B"},
-      {"impulse", "impulse", &StokesWave::impulse, "I"},
-      {"kinetic", "kinetic energy", &StokesWave::kinetic_energy, "T"},
-      {"potential", "potential energy", &StokesWave::potential_energy, "V"},
-      {"crest", "crest elevation", &StokesWave::crest_elevation, "eta_crest"},
-      {"trough", "trough elevation", &StokesWave::trough_elevation, "eta_trough"},
-      {"crest-velocity", "velocity at the crest", &StokesWave::crest_velocity, "u_crest"}};
-  std::vector<Largest> worst(columns.size());
-  Worst depth;
+  std::vector<Column> columns{{"phase speed", &StokesWave::phase_speed, "c"},
+                              {"Bernoulli constant", &StokesWave::bernoulli_constant, "B"},
+                              {"impulse", &StokesWave::impulse, "I"},
+                              {"kinetic energy", &StokesWave::kinetic_energy, "T"},
+                              {"potential energy", &StokesWave::potential_energy, "V"},
+                              {"crest elevation", &StokesWave::crest_elevation, "eta_crest"},
+                              {"trough elevation", &StokesWave::trough_elevation, "eta_trough"},
+                              {"velocity at the crest", &StokesWave::crest_velocity, "u_crest"}};
   Largest identity;
-  Worst speed, elevation, velocity;
+  Worst depth, speed, elevation, velocity;
   const io::Table table = validation::reference_table("exact_stokes_waves", check.record().reference_data);
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const double amplitude = table.column("a")[row];
@@ -57,22 +55,19 @@ TEST_CASE("Stokes waves have every digit of the reference table", "[exact]") {
     // its speed is known to eps/amplitude.
     const double reference =
         std::numeric_limits<double>::epsilon() * std::max(1 / std::pow(wave.crest_speed(), 3), 1 / amplitude);
-    for (std::size_t k = 0; k < columns.size(); ++k) {
-      const double printed = table.column(columns[k].printed)[row];
+    for (Column& column : columns) {
+      const double printed = table.column(column.printed)[row];
       const double limit = 0.5e-14 + 5e-15 * std::abs(printed) + reference;
-      worst[k].add(std::abs(columns[k].computed(wave) - printed) / limit);
+      column.worst.add(std::abs(column.computed(wave) - printed) / limit);
     }
-    if (std::isfinite(mean_depth)) {
-      if (mean_depth > 0) {
-        depth.add(wave.mean_depth() - mean_depth);
-        const StokesWave same(amplitude, wavelength, wave.mean_depth(), 1);
-        depth.add(same.conformal_depth() - conformal_depth);
-      } else {
-        CHECK(std::isinf(wave.mean_depth()));
-      }
+    if (mean_depth > 0 && std::isfinite(mean_depth)) {
+      depth.add(wave.mean_depth() - mean_depth);
+      const StokesWave same(amplitude, wavelength, wave.mean_depth(), 1);
+      depth.add(same.conformal_depth() - conformal_depth);
+    } else if (std::isfinite(mean_depth)) {
+      CHECK(std::isinf(wave.mean_depth()));
     }
-    const auto identities = wave.self_test();
-    for (const auto& held : identities) {
+    for (const auto& held : wave.self_test()) {
       INFO(held.name << " at a = " << amplitude << ", d = " << conformal_depth << ": " << held.defect);
       CHECK(held.defect <= held.accuracy);
       identity.add(held.defect);
@@ -90,8 +85,8 @@ TEST_CASE("Stokes waves have every digit of the reference table", "[exact]") {
       }
     }
   }
-  for (std::size_t k = 0; k < columns.size(); ++k) {
-    check.holds("The " + columns[k].quantity + " of every wave has the digits of the table.", {worst[k].value()},
+  for (const Column& column : columns) {
+    check.holds("The " + column.quantity + " of every wave has the digits of the table.", {column.worst.value()},
                 Bound{1,
                       "half a unit of the 14th decimal, 5e-15 (agreement of the reference's two resolutions), and the "
                       "reference's rounding, eps/q^3 at the crest or eps/amplitude"});

@@ -27,12 +27,9 @@ Check runup_check() {
 
 /// The run-up of a row of the table, with what fewer markers and a coarser tolerance make of it.
 WallRunup judged(Check& check, const io::Table& table, std::size_t row) {
-  const double a = table.column("a")[row];
-  const double expected = table.column("R")[row];
-  const bool jet = a > 0.55;
-  const bool steep = a > 0.45;
-  const std::size_t markers = steep ? 384 : 256;
-  const std::size_t fewer = steep ? 256 : 192;
+  const double a = table.column("a")[row], expected = table.column("R")[row];
+  const bool jet = a > 0.55, steep = a > 0.45;
+  const std::size_t markers = steep ? 384 : 256, fewer = steep ? 256 : 192;
   const WallRunup runup(a, 1, markers);
   const double coarser = WallRunup(a, 1, fewer, 1e-10).runup();
   check.that(fmt::format("runup-{:.0f}", 100 * a),
