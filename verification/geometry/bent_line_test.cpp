@@ -11,8 +11,6 @@
 
 namespace seiche::verification::bent_line_test {
 
-const std::string source = "definition";
-
 /// Integral of y^2/2 x' between arc lengths that a bend does not lie between, by Gauss's rule.
 double moment_between(const BentLine& line, double from, double to) {
   const double half = 0.5 * (to - from);
@@ -29,7 +27,7 @@ TEST_CASE("chords, positions and moments of a bent line agree to round-off", "[g
   Check check("bent_line", "Two lines joined by an arc",
               "A level line at y = -1 that turns at (3, -1), to the left and to the right, by 0.1 to 1.5. Arc lengths "
               "before, on and after the arc, and intervals over one, two or all three of these.",
-              source);
+              "definition");
   Worst chord, length, back, moments;
   for (const double angle : {-1.2, 0.1, std::numbers::pi / 4, 1.1, 1.5}) {
     const double rounding = 0.4;
@@ -42,8 +40,7 @@ TEST_CASE("chords, positions and moments of a bent line agree to round-off", "[g
       back.add(line.arc_length_at(line.position(places[a])) - places[a], angle);
       double sum = 0;
       for (std::size_t b = a + 1; b < places.size(); ++b) {
-        const Point from = line.position(places[a]);
-        const Point to = line.position(places[b]);
+        const Point from = line.position(places[a]), to = line.position(places[b]);
         const double apart = places[b] - places[a];
         const Point mean = line.mean_tangent(places[b], places[a]);
         chord.add(std::hypot(apart * mean.x - (to.x - from.x), apart * mean.y - (to.y - from.y)), angle);

@@ -42,8 +42,7 @@ std::vector<Profile> profiles() {
 
 /// Mean of a function over an interval by Gauss's rule between corners, on pieces no longer than a half.
 double quadrature_mean(const Profile& profile, double from, double to, const std::function<double(double)>& f) {
-  const double left = std::min(from, to);
-  const double right = std::max(from, to);
+  const double left = std::min(from, to), right = std::max(from, to);
   if (left == right) return f(left);
   std::vector<double> ends = {left, right};
   for (const double corner : profile.corners) {
@@ -52,7 +51,7 @@ double quadrature_mean(const Profile& profile, double from, double to, const std
   for (double x = std::ceil(2 * left) / 2; x < right; x += 0.5) {
     if (x > left) ends.push_back(x);
   }
-  std::sort(ends.begin(), ends.end());
+  std::ranges::sort(ends);
   double mean = 0;
   for (std::size_t k = 1; k < ends.size(); ++k) {
     mean += boost::math::quadrature::gauss<double, 15>::integrate(f, ends[k - 1], ends[k]) / (right - left);
@@ -147,8 +146,7 @@ TEST_CASE("elevations of many positions equal elevations of single positions, ac
     x.back() = 10;
     x.insert(x.end(), profile.corners.begin(), profile.corners.end());
     std::sort(x.begin(), x.end());
-    std::vector<double> elevation(x.size());
-    std::vector<double> slope(x.size());
+    std::vector<double> elevation(x.size()), slope(x.size());
     profile.bottom->sample(x, elevation, slope);
     long different = 0;
     for (std::size_t i = 0; i < x.size(); ++i) {
@@ -182,9 +180,8 @@ TEST_CASE("a slope is reported as uniform only if it is", "[geometry]") {
   CHECK(broken.uniform_slope(-6.4, -6.4) == 0.0);
   CHECK(broken.uniform_slope(-6, -4) == 0.0);
   CHECK(broken.uniform_slope(4, 10) == broken.slope(10));
-  CHECK_FALSE(broken.uniform_slope(-9, -6.45).has_value());
-  CHECK_FALSE(broken.uniform_slope(-9, 9).has_value());
-  CHECK_FALSE(broken.uniform_slope(-1, 0).has_value());  // at the corner the slope is that of its right side
+  // At a corner the slope is that of its right side.
+  for (const auto& [from, to] : {Interval{-9, -6.45}, {-9, 9}, {-1, 0}}) CHECK_FALSE(broken.uniform_slope(from, to));
   CHECK(LevelBottom(1).uniform_slope(-1e9, 1e9) == 0.0);
   CHECK_FALSE(CosineBottom(1, 0.1, 1).uniform_slope(0, 1).has_value());
   CHECK_FALSE(SmoothBottom(wave, wave_slope, -10, 10).uniform_slope(0, 1).has_value());
@@ -194,8 +191,7 @@ TEST_CASE("a bottom rejects positions outside its extent, naming position and ex
   const double not_a_number = std::numeric_limits<double>::quiet_NaN();
   const PiecewiseLinearBottom broken(knots, heights);
   const SmoothBottom smooth(wave, wave_slope, -10, 10);
-  for (const BottomProfile* bottom :
-       {static_cast<const BottomProfile*>(&broken), static_cast<const BottomProfile*>(&smooth)}) {
+  for (const BottomProfile* bottom : std::initializer_list<const BottomProfile*>{&broken, &smooth}) {
     CHECK(bottom->begin() == -10);
     CHECK(bottom->end() == 10);
     CHECK_NOTHROW(bottom->elevation(-10));
@@ -203,12 +199,11 @@ TEST_CASE("a bottom rejects positions outside its extent, naming position and ex
     for (const double x : {-10.001, 10.001, not_a_number}) {
       CHECK_THROWS_AS(bottom->elevation(x), Infeasible);
       CHECK_THROWS_AS(bottom->slope(x), Infeasible);
-      CHECK_THROWS_AS(bottom->mean(0, x), Infeasible);
-      CHECK_THROWS_AS(bottom->mean(x, 0), Infeasible);
-      CHECK_THROWS_AS(bottom->mean_square(0, x), Infeasible);
-      CHECK_THROWS_AS(bottom->mean_square(x, 0), Infeasible);
-      CHECK_THROWS_AS(bottom->uniform_slope(0, x), Infeasible);
-      CHECK_THROWS_AS(bottom->uniform_slope(x, 0), Infeasible);
+      for (const auto& [from, to] : {Interval{0, x}, {x, 0}}) {
+        CHECK_THROWS_AS(bottom->mean(from, to), Infeasible);
+        CHECK_THROWS_AS(bottom->mean_square(from, to), Infeasible);
+        CHECK_THROWS_AS(bottom->uniform_slope(from, to), Infeasible);
+      }
     }
   }
   CHECK_THROWS_WITH(broken.elevation(12.5), Catch::Contains("12.5") && Catch::Contains("[-10, 10]"));

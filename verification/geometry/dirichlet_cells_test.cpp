@@ -18,30 +18,21 @@ const std::string source = "Frank, Discrete models of incompressible fluid (1994
 
 /// The part of a convex polygon that is nearer to p than to q.
 std::vector<Point> nearer(const std::vector<Point>& polygon, Point p, Point q) {
-  const Point middle{0.5 * (p.x + q.x), 0.5 * (p.y + q.y)};
-  const auto side = [&](Point r) { return (r.x - middle.x) * (p.x - q.x) + (r.y - middle.y) * (p.y - q.y); };
+  const Point middle = 0.5 * (p + q);
+  const auto side = [&](Point r) { return dot(r - middle, p - q); };
   std::vector<Point> kept;
   for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Point a = polygon[i];
-    const Point b = polygon[(i + 1) % polygon.size()];
-    const double sa = side(a);
-    const double sb = side(b);
+    const Point a = polygon[i], b = polygon[(i + 1) % polygon.size()];
+    const double sa = side(a), sb = side(b);
     if (sa >= 0) kept.push_back(a);
-    if ((sa >= 0) != (sb >= 0)) {
-      const double part = sa / (sa - sb);
-      kept.push_back({a.x + part * (b.x - a.x), a.y + part * (b.y - a.y)});
-    }
+    if ((sa >= 0) != (sb >= 0)) kept.push_back(a + sa / (sa - sb) * (b - a));
   }
   return kept;
 }
 
 double area_of(const std::vector<Point>& polygon) {
   double twice = 0;
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    const Point a = polygon[i];
-    const Point b = polygon[(i + 1) % polygon.size()];
-    twice += a.x * b.y - a.y * b.x;
-  }
+  for (std::size_t i = 0; i < polygon.size(); ++i) twice += cross(polygon[i], polygon[(i + 1) % polygon.size()]);
   return twice / 2;
 }
 
@@ -139,16 +130,15 @@ TEST_CASE("gradients of cell areas are exact", "[geometry]") {
   constexpr double step = 1e-6;
   Worst off;
   Mesh moved = mesh;
-  std::vector<double> ahead(n);
-  std::vector<double> behind(n);
+  std::vector<double> ahead(n), behind(n);
   for (std::size_t k = 0; k < n; ++k) {
     for (const bool along_x : {true, false}) {
       double& coordinate = along_x ? moved.x[k] : moved.y[k];
       const double old = coordinate;
-      coordinate = old + step;
-      dirichlet_areas(triangles, moved.places(), ahead);
-      coordinate = old - step;
-      dirichlet_areas(triangles, moved.places(), behind);
+      for (const double way : {step, -step}) {
+        coordinate = old + way;
+        dirichlet_areas(triangles, moved.places(), way > 0 ? ahead : behind);
+      }
       coordinate = old;
       for (std::size_t i = 0; i < n; ++i) {
         const double exact = along_x ? dense[k][i].x : dense[k][i].y;
@@ -166,8 +156,7 @@ TEST_CASE("gradients of cell areas are exact", "[geometry]") {
     Point shift;
     double turn = 0;
     for (std::size_t k = 0; k < n; ++k) {
-      shift.x += dense[k][i].x;
-      shift.y += dense[k][i].y;
+      shift += dense[k][i];
       turn += dense[k][i].y * mesh.x[k] - dense[k][i].x * mesh.y[k];
     }
     for (const double rate : {shift.x, shift.y, turn}) rigid.add(rate, static_cast<double>(i));
@@ -176,16 +165,11 @@ TEST_CASE("gradients of cell areas are exact", "[geometry]") {
              Roundoff{200, 0.3, "some thirty terms of each of seven triangles"});
   Worst linear;
   const std::vector<bool> on = mesh.on_outline();
-  constexpr double px = 0.7;
-  constexpr double py = -1.3;
+  constexpr double px = 0.7, py = -1.3;
   for (std::size_t k = 0; k < n; ++k) {
     if (on[k]) continue;
     Point force;
-    for (std::size_t i = 0; i < n; ++i) {
-      const double pressure = px * mesh.x[i] + py * mesh.y[i];
-      force.x += pressure * dense[k][i].x;
-      force.y += pressure * dense[k][i].y;
-    }
+    for (std::size_t i = 0; i < n; ++i) force += (px * mesh.x[i] + py * mesh.y[i]) * dense[k][i];
     linear.add(force.x + px * cells.areas()[k], static_cast<double>(k));
     linear.add(force.y + py * cells.areas()[k], static_cast<double>(k));
   }
@@ -195,18 +179,14 @@ TEST_CASE("gradients of cell areas are exact", "[geometry]") {
   // The same square with either diagonal, inside four triangles that lean on it.
   const std::vector<double> x{0, 1, 1, 0, 0.5, 1.9, 0.5, -0.9};
   const std::vector<double> y{0, 0, 1, 1, -0.9, 0.5, 1.9, 0.5};
-  using Triples = std::vector<std::array<int, 3>>;
-  const Triples around{{4, 1, 0}, {5, 2, 1}, {6, 3, 2}, {7, 0, 3}};
-  std::array<DirichletCells, 2> with;
-  for (const std::size_t diagonal : {0, 1}) {
-    Triples all = around;
-    const Triples halves = diagonal == 0 ? Triples{{0, 1, 2}, {0, 2, 3}} : Triples{{0, 1, 3}, {1, 2, 3}};
-    all.insert(all.end(), halves.begin(), halves.end());
-    const Triangulation square(all);
-    DirichletCells& one = with[diagonal];
-    one.connect(square, 8);
-    one.measure(square, {x, y});
-  }
+  const auto cells_with = [&](std::array<int, 3> half, std::array<int, 3> other) {
+    const Triangulation square(TriangleSet{{4, 1, 0}, {5, 2, 1}, {6, 3, 2}, {7, 0, 3}, half, other});
+    DirichletCells found;
+    found.connect(square, 8);
+    found.measure(square, {x, y});
+    return found;
+  };
+  const std::array with{cells_with({0, 1, 2}, {0, 2, 3}), cells_with({0, 1, 3}, {1, 2, 3})};
   const auto first = dense_gradients(with[0], 8);
   const auto second = dense_gradients(with[1], 8);
   Worst jump;

@@ -19,14 +19,14 @@ using namespace lagrangian_mesh_3d;
 
 const std::string source = "Frank, Discrete models of incompressible fluid (1994), section 4.1";
 
-double determinant(const Vector& a, const Vector& b, const Vector& c) {
-  return a.x * (b.y * c.z - b.z * c.y) + a.y * (b.z * c.x - b.x * c.z) + a.z * (b.x * c.y - b.y * c.x);
+double determinant(Vector a, Vector b, Vector c) {
+  return dot(a, cross(b, c));
 }
 
 CellCorners random_cell(std::minstd_rand& random) {
   std::uniform_real_distribution<double> uniform(-0.25, 0.25);
   CellCorners cell{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}};
-  for (Vector& r : cell) r = {r.x + uniform(random), r.y + uniform(random), r.z + uniform(random)};
+  for (Vector& r : cell) r = r + Vector{uniform(random), uniform(random), uniform(random)};
   return cell;
 }
 
@@ -56,11 +56,7 @@ double volume_by_quadrature(const CellCorners& r) {
           const auto [sx, sy, sz] = sign[a];
           const std::array weight{sx * (1 + sy * eta) * (1 + sz * zeta) / 8, sy * (1 + sx * xi) * (1 + sz * zeta) / 8,
                                   sz * (1 + sx * xi) * (1 + sy * eta) / 8};
-          for (std::size_t axis = 0; axis < 3; ++axis) {
-            tangent[axis].x += weight[axis] * r[a].x;
-            tangent[axis].y += weight[axis] * r[a].y;
-            tangent[axis].z += weight[axis] * r[a].z;
-          }
+          for (std::size_t axis = 0; axis < 3; ++axis) tangent[axis] = tangent[axis] + weight[axis] * r[a];
         }
         sum += determinant(tangent[0], tangent[1], tangent[2]);
       }
@@ -115,21 +111,19 @@ TEST_CASE("gradients of volumes and of the potential energy agree with differenc
   const double h = 1e-3;
   std::vector<double> rates(cells);
   model.constraint_rates(state.u, rates);
-  std::vector<double> ahead(state.q.size());
-  std::vector<double> behind(state.q.size());
-  model.advance(state.q, state.u, h, ahead);
-  model.advance(state.q, state.u, -h, behind);
-  std::vector<double> volumes(cells);
-  std::vector<double> differences(cells);
-  model.constraint_values(ahead, volumes);
-  model.constraint_values(behind, differences);
+  const auto place_after = [&](double time) {
+    std::vector<double> q(state.q.size());
+    model.advance(state.q, state.u, time, q);
+    return q;
+  };
+  std::vector<double> volumes(cells), differences(cells);
+  model.constraint_values(place_after(h), volumes);
+  model.constraint_values(place_after(-h), differences);
   // The difference of a cubic along a line leaves its third derivative: h^2 V(u), known exactly.
   for (std::size_t s = 0; s < cells; ++s) {
     const auto corners = model.mesh().corners(s);
     CellCorners moving;
-    for (std::size_t a = 0; a < 8; ++a) {
-      moving[a] = {state.u[corners[a]], state.u[n + corners[a]], state.u[2 * n + corners[a]]};
-    }
+    for (std::size_t a = 0; a < 8; ++a) moving[a] = vector_at(state.u, corners[a]);
     differences[s] = (volumes[s] - differences[s]) / (2 * h) - h * h * hexahedron_volume(moving) - rates[s];
   }
   check.that("volumes", "Rates of the volumes are their derivatives.", "largest difference of rates",
@@ -139,11 +133,8 @@ TEST_CASE("gradients of volumes and of the potential energy agree with differenc
   model.kick(1, kick);
   double power = 0;
   for (std::size_t i = 0; i < kick.size(); ++i) power += model.nodes().mass()[i % n] * kick[i] * state.u[i];
-  const auto difference = [&](double step) {
-    model.advance(state.q, state.u, step, ahead);
-    model.advance(state.q, state.u, -step, behind);
-    return (model.potential_energy(ahead) - model.potential_energy(behind)) / (2 * step);
-  };
+  const auto energy_after = [&](double time) { return model.potential_energy(place_after(time)); };
+  const auto difference = [&](double step) { return (energy_after(step) - energy_after(-step)) / (2 * step); };
   // Richardson's extrapolation is exact for a quartic.
   const double extrapolated = (4 * difference(h) - difference(2 * h)) / 3;
   check.that(
@@ -151,7 +142,7 @@ TEST_CASE("gradients of volumes and of the potential energy agree with differenc
       {power + extrapolated},
       Roundoff{120, model.potential_energy(state.q) / h, "energies of 120 patches rounded, over the displacement"});
   std::vector<double> mu(cells);
-  for (double& value : mu) value = uniform(random);
+  std::ranges::generate(mu, [&] { return uniform(random); });
   std::vector<double> reaction(state.u.size(), 0.0);
   model.react(mu, reaction);
   model.constraint_rates(reaction, rates);
@@ -173,7 +164,7 @@ TEST_CASE("the symbol of the hexahedral mesh agrees with the assembled matrix", 
               source);
   const Model reference(layer_mesh({.end = 2.8, .north = 3, .depth = 1.5, .columns = 7, .rows = 5, .layers = 3}),
                         {.density = 1.3});
-  Model model = Model(reference.mesh(), reference.settings());
+  Model model(reference.mesh(), reference.settings());
   const mechanics::State state = model.state();
   model.linearise({0, 0}, state.q);
   const auto symbol = linear::hexahedral_lattice(0.4, 0.6, {0.5, 0.5, 0.5}, 1.3);
@@ -188,7 +179,7 @@ TEST_CASE("the symbol of the hexahedral mesh agrees with the assembled matrix", 
       std::array<double, 3> diagonal{};
       std::array<double, 2> off_diagonal{};
       symbol(theta, psi, diagonal, off_diagonal);
-      const std::array layer_values{1.0, -0.7, 0.4};
+      constexpr std::array layer_values{1.0, -0.7, 0.4};
       const auto plan = [&](std::size_t c) {
         return std::cos(theta * (static_cast<double>(c % 7) + 0.5)) *
                std::cos(psi * (static_cast<double>(c / 7 % 5) + 0.5));
@@ -216,14 +207,11 @@ TEST_CASE("every inverted corner of a cell is counted", "[geometry]") {
   for (int k = 0; k < 2000; ++k) {
     CellCorners cell = random_cell(random);
     const double s = stretch(random);
-    for (std::size_t a = 0; a < 8; ++a) {
-      const auto [east, north, above] = lattice::place_of[a];
-      cell[a] = {east + s * (cell[a].x - east), north + s * (cell[a].y - north), above + s * (cell[a].z - above)};
-    }
     std::array<std::array<std::array<double, 2>, 4>, 3> places{};
     NodeVectors rows{};
     for (std::size_t a = 0; a < 8; ++a) {
       const auto [east, north, above] = lattice::place_of[a];
+      cell[a] = {east + s * (cell[a].x - east), north + s * (cell[a].y - north), above + s * (cell[a].z - above)};
       const std::array place{cell[a].x, cell[a].y, cell[a].z};
       for (std::size_t axis = 0; axis < 3; ++axis) {
         places[axis][static_cast<std::size_t>(north + 2 * above)][static_cast<std::size_t>(east)] = place[axis];

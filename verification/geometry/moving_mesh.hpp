@@ -21,8 +21,8 @@ using TriangleSet = std::vector<std::array<int, 3>>;
 
 /// Each triangle from its lowest node on, in ascending order.
 inline TriangleSet sorted(TriangleSet triangles) {
-  for (auto& t : triangles) std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
-  std::sort(triangles.begin(), triangles.end());
+  for (auto& t : triangles) std::ranges::rotate(t, std::ranges::min_element(t));
+  std::ranges::sort(triangles);
   return triangles;
 }
 
@@ -67,10 +67,10 @@ inline TriangleSet triangles_of_sweep(Places nodes) {
 }
 
 /// How many triangles are in one set alone.
-inline long difference(const TriangleSet& one, const TriangleSet& other) {
+inline double difference(const TriangleSet& one, const TriangleSet& other) {
   TriangleSet alone;
-  std::set_symmetric_difference(one.begin(), one.end(), other.begin(), other.end(), std::back_inserter(alone));
-  return static_cast<long>(alone.size());
+  std::ranges::set_symmetric_difference(one, other, std::back_inserter(alone));
+  return static_cast<double>(alone.size());
 }
 
 /// Nodes of a box that wander: those inside anywhere within it, those of its sides along them, its corners not at all.
@@ -92,10 +92,9 @@ class WanderingBox {
   /// Moves every node by up to `part` of the spacing along both axes.
   void move(double part) {
     for (std::size_t k = 0; k < mesh_.nodes(); ++k) {
-      if (!on_outline_[k]) {
-        wander(mesh_.x[k], part);
-        wander(mesh_.y[k], part);
-      }
+      if (on_outline_[k]) continue;
+      wander(mesh_.x[k], part);
+      wander(mesh_.y[k], part);
     }
     // A node of a side keeps a tenth of the spacing from its neighbours.
     const std::size_t n = mesh_.outline.size();

@@ -15,12 +15,14 @@ using namespace wcsph;
 using std::numbers::pi;
 
 const Settings water{.sound_speed = 40};
+constexpr double spacing = 0.01;
 
 /// A cosine sheared by q/(A k): x = X + (q/k) cos kX. It turns over at q = 1; then x decreases between the phases
 /// asin(1/q) and its supplement.
 struct ShearedWave {
   double q;
   bool towards_right = true;
+  static constexpr Box box{-0.5, 0.5, -0.4, 0.3};
   static constexpr double amplitude = 0.15;
   static constexpr double wavenumber = 2 * pi;
 
@@ -46,6 +48,7 @@ struct ShearedWave {
 struct Tongue {
   double angle;
   bool towards_right = true;
+  static constexpr Box box{-0.8, 0.8, -0.4, 0.6};
   static constexpr double inner = 0.25;
   static constexpr double outer = 0.4;
 
@@ -56,7 +59,7 @@ struct Tongue {
   }
 };
 
-std::vector<Contour> contours_of(const std::function<bool(double, double)>& inside, const Box& box, double spacing) {
+std::vector<Contour> contours_of(const std::function<bool(double, double)>& inside, const Box& box) {
   const double margin = 4 * spacing;
   const Scene scene =
       patch({.inside = inside, .box = {box.left - margin, box.right + margin, box.bottom, box.top}, .spacing = spacing},
@@ -65,21 +68,17 @@ std::vector<Contour> contours_of(const std::function<bool(double, double)>& insi
   return free_surface(VolumeFraction(scene.particles, 1.3 * spacing), window, spacing / 2);
 }
 
-std::vector<Contour> contours_of(const ShearedWave& wave, double spacing) {
-  return contours_of([wave](double x, double z) { return wave.inside(x, z); }, {-0.5, 0.5, -0.4, 0.3}, spacing);
-}
-
-std::vector<Contour> contours_of(const Tongue& tongue, double spacing) {
-  return contours_of([tongue](double x, double z) { return tongue.inside(x, z); }, {-0.8, 0.8, -0.4, 0.6}, spacing);
+/// Of a ShearedWave or a Tongue.
+template <class Shape>
+std::vector<Contour> contours_of(const Shape& shape) {
+  return contours_of([shape](double x, double z) { return shape.inside(x, z); }, Shape::box);
 }
 
 TEST_CASE("a wave overturns when its front is past the vertical", "[geometry]") {
   Check check("wcsph_overturning", "Detector of overturning",
               "A cosine that is sheared more and more, to either side, as particles of spacing 1/100 of its length: "
               "overhang and tip against the curve's, and the time of overturning by the detector.");
-  constexpr double spacing = 0.01;
-  const std::string source = "x = X + (q/k) cos kX: geometry of the curve";
-  check.source(source);
+  check.source("x = X + (q/k) cos kX: geometry of the curve");
   Largest overhang_error, tip_error;
   bool sides = true;
   Largest missed, false_alarm;
@@ -87,7 +86,7 @@ TEST_CASE("a wave overturns when its front is past the vertical", "[geometry]") 
   for (const bool towards_right : {true, false}) {
     for (double q = 0; q < 3.01; q += 0.25) {
       const ShearedWave wave{q, towards_right};
-      const std::vector<Contour> curves = contours_of(wave, spacing);
+      const std::vector<Contour> curves = contours_of(wave);
       REQUIRE(main_surface(curves) != nullptr);
       const Overhang found = overhang(*main_surface(curves));
       if (towards_right) {
@@ -104,11 +103,12 @@ TEST_CASE("a wave overturns when its front is past the vertical", "[geometry]") 
       tip_error.add(std::abs(found.tip.x - wave.tip().x) / spacing);
     }
   }
-  const std::string reason =
-      "two extrema of x, each known to the contour's largest distance, 0.71 dx: whether a cell is water is decided by "
-      "its middle";
   check.that("overhang", "The overhang agrees with the curve within 1.5 dx.", "largest error over dx",
-             {overhang_error.value()}, Bound{1.5, reason});
+             {overhang_error.value()},
+             Bound{1.5,
+                   "two extrema of x, each known to the contour's largest distance, 0.71 dx: whether a cell is water "
+                   "is decided by "
+                   "its middle"});
   check.that("tip", "The tip of the jet agrees with the tip of the curve within 0.75 dx.",
              "largest error of its x over dx", {tip_error.value()}, Bound{0.75, "one such extremum, 0.71 dx"});
   check.that("side", "The direction in which it breaks is found.", "directions right", {sides ? 1.0 : 0.0},
@@ -121,7 +121,7 @@ TEST_CASE("a wave overturns when its front is past the vertical", "[geometry]") 
              Bound{2.5, "the threshold dx and the error of the overhang, 1.5 dx"});
   auto& figure = check.figure("sheared", "Overturning of a sheared cosine",
                               "Left: the contour of the particles at q = 3. Right: overhang against the curve's.");
-  const std::vector<Contour> last = contours_of(ShearedWave{3}, spacing);
+  const std::vector<Contour> last = contours_of(ShearedWave{3});
   auto& shape = figure.panel({.x = "x [m]", .y = "z [m]", .equal_aspect = true});
   std::vector<double> curve_x, curve_z;
   for (double phase = -4.6; phase <= 4.6; phase += 0.02) {
@@ -141,10 +141,8 @@ TEST_CASE("a jet has landed when it encloses air", "[geometry]") {
   Check check("wcsph_touch_down", "Detector of touching down",
               "A tongue of water grows along a half ring over the level and lands; to either side; and air enclosed by "
               "a wall of the box. Compared are the detected time of landing and the area of enclosed air.");
-  constexpr double spacing = 0.01;
-  const double hole = 4 * spacing * spacing;
-  const std::string source = "geometry of half a ring";
-  check.source(source);
+  constexpr double hole = 4 * spacing * spacing;
+  check.source("geometry of half a ring");
   const double half_disc = pi / 2 * Tongue::inner * Tongue::inner;
   Largest early;
   double late = 0;
@@ -154,7 +152,7 @@ TEST_CASE("a jet has landed when it encloses air", "[geometry]") {
     for (double gap = 0; gap < 12; gap += 0.5) {
       // The inner corner of the tongue is `gap` spacings above the level.
       const Tongue tongue{std::asin(gap * spacing / Tongue::inner), towards_right};
-      const std::vector<Contour> curves = contours_of(tongue, spacing);
+      const std::vector<Contour> curves = contours_of(tongue);
       const bool landed = touches_down(curves, hole);
       early.add(landed ? gap : 0);
       if (!landed && gap == 0) late = 1;
@@ -184,10 +182,10 @@ TEST_CASE("a jet has landed when it encloses air", "[geometry]") {
   check.from("a quarter of a disc")
       .that("pocket",
             "The area of air in a corner of the box agrees with its quarter circle within 0.71 dx along the arc.",
-            "area [m^2]", {cavity_area(contours_of(pocket, box, spacing), hole)},
+            "area [m^2]", {cavity_area(contours_of(pocket, box), hole)},
             Bound{0.71 * spacing * pi / 2 * 0.3, "0.71 dx along the arc", quarter});
   const auto heap = [](double x, double z) { return std::hypot(x - 0.5, z + 0.36) < 0.3; };
-  CHECK(cavity_area(contours_of(heap, box, spacing), hole) == 0);
+  CHECK(cavity_area(contours_of(heap, box), hole) == 0);
   CHECK_FALSE(overturns({}, spacing));
   CHECK(main_surface({}) == nullptr);
 }

@@ -13,7 +13,6 @@ namespace seiche::verification::wcsph_flume_count_test {
 
 using namespace wcsph;
 
-const std::string source = "particle counts published with two dam breaks and a plunging wave";
 constexpr long published = 35232;
 constexpr long layers = 26;       // of 0.05 cm in 1.3 cm of water
 constexpr long highest_wall = 8;  // in depths
@@ -44,8 +43,8 @@ long solutions(Lattice lattice, const Walls& walls) {
     for (long behind = 0; behind <= 3 * layers / 2; ++behind) {
       for (long far_wall = layers; far_wall <= highest_wall * layers; ++far_wall) {
         const long rest = published - flume_count(lattice, columns, columns + behind, far_wall, layers, walls);
-        const long per_step = walls.paddle_rows;
-        if (rest >= 0 && rest % per_step == 0 && rest / per_step <= (highest_wall - 1) * layers) ++found;
+        const long steps = rest / walls.paddle_rows;
+        if (rest >= 0 && steps * walls.paddle_rows == rest && steps <= (highest_wall - 1) * layers) ++found;
       }
     }
   }
@@ -60,7 +59,7 @@ TEST_CASE("the number of particles does not determine the published flume", "[ge
       "the three has an odd number of particles, $2n + 1$, and 26 layers of water an even one: the sum is odd, 35232 "
       "is even. By other rules, a corner counted once or a paddle of three rows, tens of thousands of flumes have that "
       "number. The length of the published flume therefore does not follow from its count.",
-      source);
+      "particle counts published with two dam breaks and a plunging wave");
   Worst formula;
   for (const Lattice lattice : {Lattice::square, Lattice::body_centred}) {
     for (const int paddle_rows : {2, 3}) {
@@ -94,19 +93,15 @@ TEST_CASE("the number of particles does not determine the published flume", "[ge
   }
   check.that("odd", "A straight wall of two rows has an odd number of particles.", "walls with an even one",
              {even.value()}, Bound{0, "n + 1 and n"});
-  const Walls as_dam_breaks{};
   check.that("impossible",
              "The number of flumes with the published particle number by the rules of the dam breaks is zero.",
              "flumes with it, of both lattices",
-             {static_cast<double>(solutions(Lattice::square, as_dam_breaks) +
-                                  solutions(Lattice::body_centred, as_dam_breaks))},
+             {static_cast<double>(solutions(Lattice::square, {}) + solutions(Lattice::body_centred, {}))},
              Bound{0, "three odd numbers and an even one make an odd one"});
-  Smallest otherwise;
-  for (const Walls& walls : std::vector<Walls>{{.paddle_rows = 3}, {.corner_twice = false}}) {
-    otherwise.add(static_cast<double>(solutions(Lattice::body_centred, walls)));
-  }
+  const bool ambiguous = solutions(Lattice::body_centred, {.paddle_rows = 3}) > 1 &&
+                         solutions(Lattice::body_centred, {.corner_twice = false}) > 1;
   check.that("ambiguous", "The published particle number by other rules does not determine the flume.",
-             "more than one flume has the number", {otherwise.value() > 1 ? 1.0 : 0.0},
+             "more than one flume has the number", {ambiguous ? 1.0 : 0.0},
              Qualitative{"body-centred flumes with 35232 particles, with a paddle of three rows, and with the corner "
                          "counted once: more than one of each",
                          "three lengths and one number"});

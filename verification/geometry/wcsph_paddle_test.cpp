@@ -22,37 +22,38 @@ PointMotion at(const Paddle& paddle, double t, double x, double z) {
 }
 
 TEST_CASE("paddles move rigidly with the velocity that they state", "[geometry]") {
-  const std::string source = "kinematics of a rigid body; Dean and Dalrymple (1991), ch. 6, for the motion X_w";
   Check check("wcsph_paddles", "Piston and flap",
               "A flap in 1.3 cm of water whose stroke is 2.3 h, so that it tilts by 49.6 degrees, and a piston: "
               "velocities against central differences of the positions, distances between particles of the paddle, and "
-              "the place of the face at the still-water level.");
-  check.source(source);
+              "the place of the face at the still-water level.",
+              "kinematics of a rigid body; Dean and Dalrymple (1991), ch. 6, for the motion X_w");
   const double frequency = 2 * std::numbers::pi / period;
   const std::vector<std::pair<std::string, Paddle>> paddles{{"piston", piston(stroke, frequency)},
                                                             {"flap", flap(0.001, -0.002, depth, stroke, frequency)}};
-  const std::vector<std::pair<double, double>> places{{-0.0005, 0.0005}, {-0.001, 0.012}, {0.001, 0.03}};
+  const std::vector<Place> places{{-0.0005, 0.0005}, {-0.001, 0.012}, {0.001, 0.03}};
   for (const auto& [name, paddle] : paddles) {
-    refine(check, {.axis = "step", .sizes = falling(period / 40, 5), .title = {}},
-           {{name + "-velocity",
-             "The velocity equals the rate of change of position: central differences converge at their order.",
-             name == "piston" ? Order{2, 0.003,
-                                      "central differences of a sine: next term (omega dt)^2/20 relative, 0.0012 at "
-                                      "the longest step, 1/40 of a period, 0.002 per halving"}
-                              : Order{2, 0.1, "central second-order differences; steps from 1/40 of a period"}}},
-           [&](double step) {
-             Worst error;
-             for (double t = 0.013; t < period; t += 0.029) {
-               for (const auto& [x, z] : places) {
-                 const PointMotion now = at(paddle, t, x, z);
-                 const PointMotion before = at(paddle, t - step, x, z);
-                 const PointMotion after = at(paddle, t + step, x, z);
-                 error.add((after.x - before.x) / (2 * step) - now.u);
-                 error.add((after.z - before.z) / (2 * step) - now.w);
-               }
-             }
-             return error.value();
-           });
+    const Order order = name == "piston"
+                            ? Order{2, 0.003,
+                                    "central differences of a sine: next term (omega dt)^2/20 relative, 0.0012 at the "
+                                    "longest step, 1/40 of a period, 0.002 per halving"}
+                            : Order{2, 0.1, "central second-order differences; steps from 1/40 of a period"};
+    refine(
+        check, {.axis = "step", .sizes = falling(period / 40, 5), .title = {}},
+        {{name + "-velocity",
+          "The velocity equals the rate of change of position: central differences converge at their order.", order}},
+        [&](double step) {
+          Worst error;
+          for (double t = 0.013; t < period; t += 0.029) {
+            for (const auto& [x, z] : places) {
+              const PointMotion now = at(paddle, t, x, z);
+              const PointMotion before = at(paddle, t - step, x, z);
+              const PointMotion after = at(paddle, t + step, x, z);
+              error.add((after.x - before.x) / (2 * step) - now.u);
+              error.add((after.z - before.z) / (2 * step) - now.w);
+            }
+          }
+          return error.value();
+        });
   }
 
   const Paddle& leaning = paddles[1].second;

@@ -16,7 +16,6 @@ namespace seiche::verification::wcsph_scene_test {
 
 using namespace wcsph;
 
-const std::string lattices = "Dalrymple and Rogers, Coastal Eng. 53 (2006) 141, section 2";
 const std::string counts = "particle counts published with the two dam breaks, 11103 and 7983";
 
 Settings water(double height, double coefficient = 10 * std::numbers::sqrt2) {
@@ -105,29 +104,22 @@ TEST_CASE("dam breaks have the published numbers of particles", "[geometry]") {
           dam_break(square_column(Lattice::square, false), water(0.3)), 4381);
 
   const Scene scene = dam_break(tall_column(Lattice::square, false), water(0.114));
-  std::vector<double> fluid_x, fluid_z, wall_x, wall_z;
-  for (std::size_t i = 0; i < scene.particles.size(); ++i) {
-    const bool fluid = scene.particles.kind[i] == Kind::fluid;
-    (fluid ? fluid_x : wall_x).push_back(scene.particles.x[i]);
-    (fluid ? fluid_z : wall_z).push_back(scene.particles.z[i]);
-  }
   evidence::Figure& figure =
       check.figure("particles", "Dam break, particles of the beginning",
                    "Square lattice of water and staggered rows of walls; right, the lower rear corner.");
   for (const bool corner : {false, true}) {
     auto& panel = figure.panel({.x = "x [m]", .y = "z [m]", .equal_aspect = true});
-    const auto drawn = [&](const std::vector<double>& x, const std::vector<double>& z, const std::string& label,
-                           evidence::Role role) {
-      std::vector<double> px, pz;
-      for (std::size_t i = 0; i < x.size(); ++i) {
-        if (corner && std::max(x[i], z[i]) > 10 * scene.spacing) continue;
-        px.push_back(x[i]);
-        pz.push_back(z[i]);
+    for (const bool fluid : {true, false}) {
+      std::vector<double> x, z;
+      for (std::size_t i = 0; i < scene.particles.size(); ++i) {
+        const Place at{scene.particles.x[i], scene.particles.z[i]};
+        if ((scene.particles.kind[i] == Kind::fluid) != fluid) continue;
+        if (corner && std::max(at.x, at.z) > 10 * scene.spacing) continue;
+        x.push_back(at.x);
+        z.push_back(at.z);
       }
-      panel.points(label, px, pz, role);
-    };
-    drawn(fluid_x, fluid_z, "water", evidence::Role::computed);
-    drawn(wall_x, wall_z, "walls", evidence::Role::bed);
+      panel.points(fluid ? "water" : "walls", x, z, fluid ? Role::computed : Role::bed);
+    }
   }
 }
 
@@ -136,10 +128,9 @@ TEST_CASE("scenes have the water's mass, regular distances and a hydrostatic sta
               "Every scene on both lattices: the mass agrees with the water's area, no two particles are nearer than "
               "on the lattice, walls of the square lattice stand a spacing from the water's first particles and half a "
               "spacing from its effective end, and the pressure from the density is hydrostatic.",
-              lattices);
+              "Dalrymple and Rogers, Coastal Eng. 53 (2006) 141, section 2");
   Worst mass_defect;
-  Distances square;
-  Distances centred;
+  Distances square, centred;
   Largest pressure_error;
   for (const Lattice lattice : {Lattice::square, Lattice::body_centred}) {
     Distances& least = lattice == Lattice::square ? square : centred;
@@ -166,8 +157,7 @@ TEST_CASE("scenes have the water's mass, regular distances and a hydrostatic sta
       for (std::size_t i = 0; i < scene.particles.size(); ++i) {
         const bool below_water = scene.particles.kind[i] == Kind::fluid || &scene == &scenes[1].first;
         if (!below_water) continue;
-        const double depth = std::max(scene.still_water - scene.particles.z[i], 0.0);
-        const double expected = 1000 * 9.81 * depth;
+        const double expected = 1000 * 9.81 * std::max(scene.still_water - scene.particles.z[i], 0.0);
         pressure_error.add(std::abs(fluid.pressure(scene.particles.density[i]) - expected) /
                            (1000 * 9.81 * scene.still_water));
       }
@@ -175,30 +165,28 @@ TEST_CASE("scenes have the water's mass, regular distances and a hydrostatic sta
   }
   check.that("mass", "The fluid's mass is rho_0 times the area of the water.", "relative defect", {mass_defect.value()},
              Roundoff{10, 1, "dx^2 of rounded lengths; the sum is compensated"});
-  const Roundoff water_places{
-      .operations = 4,
-      .scale = 60,
-      .reason =
-          "two coordinates of up to 60 dx, each a rounded product; the image in the periodic layer, and its period"};
-  const Roundoff wall_places{.operations = 6,
-                             .scale = 100,
-                             .reason =
-                                 "a position on a wall is a product with a quotient, added to the start of the wall: "
-                                 "numbers of up to 100 dx along the bottom of the flume; otherwise as in the water"};
-  const auto about = [](Roundoff limit, double expected) {
-    limit.expected = expected;
-    return limit;
+  const auto in_water = [](double expected) {
+    return Roundoff{
+        4, 60,
+        "two coordinates of up to 60 dx, each a rounded product; the image in the periodic layer, and its period",
+        expected};
+  };
+  const auto at_walls = [](double expected) {
+    return Roundoff{6, 100,
+                    "a position on a wall is a product with a quotient, added to the start of the wall: numbers of up "
+                    "to 100 dx along the bottom of the flume; otherwise as in the water",
+                    expected};
   };
   check.that("fluid-square", "Square lattice: neighbours are dx apart.", "distance/dx", {square.fluid.value()},
-             about(water_places, 1));
+             in_water(1));
   check.that("fluid-centred", "Body-centred lattice: neighbours are dx/sqrt 2 apart.", "distance/dx",
-             {centred.fluid.value()}, about(water_places, 1 / std::numbers::sqrt2));
+             {centred.fluid.value()}, in_water(1 / std::numbers::sqrt2));
   check.that("wall-square", "Square lattice: the first row of water is dx from the row of the wall.", "distance/dx",
-             {square.wall.value()}, about(wall_places, 1));
+             {square.wall.value()}, at_walls(1));
   check.that("wall-centred",
              "Body-centred lattice: its first particles are a quarter of a cell inside the water's end, half a spacing "
              "in front of the wall, and a quarter beside its particles.",
-             "distance/dx", {centred.wall.value()}, about(wall_places, std::hypot(0.75, 0.25)));
+             "distance/dx", {centred.wall.value()}, at_walls(std::hypot(0.75, 0.25)));
   check.from("Monaghan, J. Comput. Phys. 110 (1994) 399")
       .that("hydrostatic", "The pressure is rho_0 g (z_s - z), in the water and in the walls of the tank.",
             "largest error over rho_0 g H", {pressure_error.value()},

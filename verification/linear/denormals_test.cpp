@@ -1,6 +1,7 @@
 // Threads that share the loops of a step count denormal numbers as zero as the thread does that called them.
 #include <omp.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -20,15 +21,12 @@ constexpr std::size_t columns = linear::worth_threads / rows + 16;
 
 /// What is left of tiny numbers by the loop, with two threads and without denormal numbers.
 template <class Loop>
-std::size_t left_by(const Loop& loop) {
-  std::vector<double> result;
-  {
+std::ptrdiff_t left_by(const Loop& loop) {
+  const std::vector<double> result = [&] {
     const FlushDenormals guard;
-    result = loop();
-  }
-  std::size_t left = 0;
-  for (const double value : result) left += value != 0 ? 1 : 0;
-  return left;
+    return loop();
+  }();
+  return std::ranges::count_if(result, [](double value) { return value != 0; });
 }
 
 std::vector<double> copy(const linear::LatticeArray& values) {
@@ -47,10 +45,9 @@ TEST_CASE("threads that share loops count denormal numbers as zero", "[linear]")
   ++made;
   REQUIRE(made == 2);
 
-  linear::LatticeArray x(columns, rows);
-  for (double& value : x.values()) value = tiny;
-  linear::LatticeArray y(columns, rows);
-  std::size_t left = 0;
+  linear::LatticeArray x(columns, rows), y(columns, rows);
+  std::ranges::fill(x.values(), tiny);
+  std::ptrdiff_t left = 0;
   linear::StencilMatrix matrix(columns, rows);
   std::fill_n(matrix[matrix.own], matrix.size(), 1.0);
   left += left_by([&] {

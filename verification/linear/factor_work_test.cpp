@@ -35,21 +35,16 @@ FactorWork by_columns(int n, int below) {
   return work;
 }
 
-double difference(FactorWork a, FactorWork b) {
-  return std::abs(a.entries - b.entries) + std::abs(a.operations - b.operations);
-}
-
 TEST_CASE("factors report their entries and operations", "[linear]") {
   Check check("factor_work", "What a factor costs",
               "Entries and operations of Cholesky factors, as the solvers report them, compared with sums over the "
               "columns of bands and full matrices.");
-  const auto same = [&](const std::string& id, FactorWork told, FactorWork counted) {
-    check.holds(id + ": The solver reports the entries and operations of its factor.", {difference(told, counted)},
+  for (const auto& [id, n, below] : {std::tuple{"tridiagonal", 50, 1}, {"wide", 60, 7}, {"full", 20, 19}}) {
+    const FactorWork told = banded(n, below), counted = by_columns(n, below);
+    check.holds(id + std::string(": The solver reports the entries and operations of its factor."),
+                {std::abs(told.entries - counted.entries) + std::abs(told.operations - counted.operations)},
                 Bound{0, "whole numbers"});
-  };
-  same("tridiagonal", banded(50, 1), by_columns(50, 1));
-  same("wide", banded(60, 7), by_columns(60, 7));
-  same("full", banded(20, 19), by_columns(20, 19));
+  }
 }
 
 }  // namespace seiche::verification::factor_work_test

@@ -63,14 +63,13 @@ TEST_CASE("Fourier coefficients are their sums, in the order of their wavenumber
       coefficients[i] *= Complex(0, fourier.is_sawtooth(i) ? 0 : fourier.wavenumber(i));
     fourier.samples(coefficients, again);
     for (std::size_t j = 0; j < n; ++j) slopes.add(std::abs(again[j] - slope[j]));
-    const auto claim = [&](const std::string& id, const std::string& text, double value, double size) {
-      check.holds(fmt::format("{}-{}", id, n) + ": " + text, {value},
-                  evidence::Roundoff{20.0 * static_cast<double>(n), size,
-                                     "a sum of N products of rounded angles up to 2 pi N"});
-    };
-    claim("sums", "Coefficients of the fast transform equal their defining sums.", sums.value(), 3);
-    claim("back", "The samples are recovered by the inverse transform, in the same memory.", back.value(), 3);
-    claim("slope", "Wavenumbers of the transform agree with the derivative.", slopes.value(), scale * scale);
+    for (const auto& [text, error, size] :
+         {std::tuple{"sums-{}: Coefficients of the fast transform equal their defining sums.", sums, 3.0},
+          {"back-{}: The samples are recovered by the inverse transform, in the same memory.", back, 3.0},
+          {"slope-{}: Wavenumbers of the transform agree with the derivative.", slopes, scale * scale}}) {
+      check.holds(fmt::format(fmt::runtime(text), n), {error.value()},
+                  Roundoff{20.0 * static_cast<double>(n), size, "a sum of N products of rounded angles up to 2 pi N"});
+    }
   }
   Fourier even(8);
   Count sawtooths;

@@ -46,8 +46,7 @@ Eigen::MatrixXd random_matrix(const Shape& shape, unsigned seed) {
   for (std::size_t p = 0; p < shape.size(); ++p) {
     for (std::size_t q = p + 1; q < shape.size(); ++q) {
       if (!between(shape, p, q).neighbours()) continue;
-      const auto i = static_cast<Eigen::Index>(p);
-      const auto j = static_cast<Eigen::Index>(q);
+      const auto i = static_cast<Eigen::Index>(p), j = static_cast<Eigen::Index>(q);
       a(i, j) = a(j, i) = unit(random);
     }
   }
@@ -83,7 +82,7 @@ struct Errors {
     LatticeArray x(shape.columns, shape.rows * shape.layers);
     LatticeArray y = x;
     const Eigen::VectorXd values = random_vector(shape.size());
-    std::copy(values.begin(), values.end(), x.data());
+    std::ranges::copy(values, x.data());
     const double dot = matrix.multiply_and_dot(x, y);
     const Eigen::VectorXd expected = dense * values;
     const double scale = worst(dense.cwiseAbs() * values.cwiseAbs());
@@ -106,14 +105,14 @@ TEST_CASE("matrices of meshes equal their dense matrices", "[linear]") {
                             ? std::vector<Shape>{{1, 1, 1}, {5, 1, 1}, {1, 6, 1}, {2, 2, 1}, {7, 5, 1}, {12, 17, 1}}
                             : std::vector<Shape>{{1, 1, 1}, {3, 1, 4}, {1, 4, 3}, {2, 2, 2}, {6, 5, 1}, {5, 4, 6}};
     for (const Shape& shape : shapes) errors.add(shape, random_matrix(shape, 1));
-    const auto claim = [&](const std::string& what, double value, double operations, const std::string& reason) {
-      check.holds(fmt::format("{} of {}-point matrices equal the dense results.", what, neighbours), {value},
-                  Roundoff{operations, 1, reason});
-    };
     const double operations = 2 * static_cast<double>(neighbours);
-    claim("Products", errors.product.value(), operations, "a product and a sum for each neighbour");
-    claim("Scalar products x.Ax", errors.form.value(), operations, "errors of rows are independent");
-    claim("Coefficients addressed by their two cells", errors.coefficient.value(), 0, "the same number");
+    for (const auto& [what, error, limit] :
+         {std::tuple{"Products", errors.product, Roundoff{operations, 1, "a product and a sum for each neighbour"}},
+          {"Scalar products x.Ax", errors.form, Roundoff{operations, 1, "errors of rows are independent"}},
+          {"Coefficients addressed by their two cells", errors.coefficient, Roundoff{0, 1, "the same number"}}}) {
+      check.holds(fmt::format("{} of {}-point matrices equal the dense results.", what, neighbours), {error.value()},
+                  limit);
+    }
   }
 }
 
@@ -135,9 +134,7 @@ TEST_CASE("conjugate gradients converge in as many iterations as there are disti
     }
     return dot;
   };
-  const auto copy = [](std::span<const double> r, std::span<double> z, double) {
-    std::copy(r.begin(), r.end(), z.begin());
-  };
+  const auto copy = [](std::span<const double> r, std::span<double> z, double) { std::ranges::copy(r, z.begin()); };
   int iterations = 0;
   try {
     iterations = gradients.solve(multiply, copy, b, x, {1e-12, 100}).iterations;

@@ -56,26 +56,23 @@ inline linear::StencilMatrix mesh_matrix(std::size_t columns, std::size_t rows, 
 inline Eigen::MatrixXd dense(const linear::StencilMatrix& a) {
   const auto size = static_cast<Eigen::Index>(a.size());
   Eigen::MatrixXd result = Eigen::MatrixXd::Zero(size, size);
-  const auto couple = [&](std::size_t part, std::size_t distance) {
+  for (const auto& [part, distance] : {std::pair{a.own, std::size_t{0}},
+                                       {a.right, 1},
+                                       {a.up, a.columns()},
+                                       {a.up_right, a.columns() + 1},
+                                       {a.up_left, a.columns() - 1}}) {
     for (Eigen::Index c = 0; c + static_cast<Eigen::Index>(distance) < size; ++c) {
       const Eigen::Index other = c + static_cast<Eigen::Index>(distance);
       result(c, other) += a[part][c];
       if (distance > 0) result(other, c) += a[part][c];
     }
-  };
-  couple(a.own, 0);
-  couple(a.right, 1);
-  couple(a.up, a.columns());
-  couple(a.up_right, a.columns() + 1);
-  couple(a.up_left, a.columns() - 1);
+  }
   return result;
 }
 
 inline Eigen::VectorXd random_vector(std::size_t size) {
   Noise noise(20);
-  Eigen::VectorXd result(static_cast<Eigen::Index>(size));
-  for (double& value : result) value = noise();
-  return result;
+  return Eigen::VectorXd::NullaryExpr(static_cast<Eigen::Index>(size), [&] { return noise(); });
 }
 
 inline Eigen::Map<const Eigen::VectorXd> as_vector(std::span<const double> values) {

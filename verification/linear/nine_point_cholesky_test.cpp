@@ -45,23 +45,9 @@ TEST_CASE("direct solvers of nine-point systems solve them to round-off", "[line
               "relative to $|A||x| + |b|$, which elimination of a positive definite matrix reaches whatever its "
               "condition; solutions differ by up to the condition number times that.");
   Worst residual, difference;  // from the dense solution, over the condition number
-  for (const Shape shape : {Shape{1, 1},
-                            {2, 1},
-                            {1, 3},
-                            {2, 2},
-                            {3, 3},
-                            {5, 3},
-                            {3, 7},
-                            {8, 8},
-                            {9, 8},
-                            {60, 1},
-                            {1, 60},
-                            {2, 61},
-                            {40, 8},
-                            {7, 50},
-                            {50, 9},
-                            {24, 17},
-                            {33, 40}}) {
+  const std::vector<Shape> shapes{{1, 1},  {2, 1},  {1, 3},  {2, 2},  {3, 3},  {5, 3},  {3, 7},   {8, 8},  {9, 8},
+                                  {60, 1}, {1, 60}, {2, 61}, {40, 8}, {7, 50}, {50, 9}, {24, 17}, {33, 40}};
+  for (const Shape shape : shapes) {
     for (const double amplitude : {0.0, 0.05, 0.2}) {
       if (amplitude != 0.2 && shape.columns * shape.rows > 1000) continue;  // a dense elimination takes a second
       const StencilMatrix a = matrix_of(shape, amplitude);
@@ -90,9 +76,9 @@ TEST_CASE("solutions of nine-point systems too large for dense elimination leave
     const Eigen::VectorXd x = solution(a, b);
     const auto product = [&](const Eigen::VectorXd& factor) {
       LatticeArray in(shape.columns, shape.rows), out(shape.columns, shape.rows);
-      std::copy(factor.begin(), factor.end(), in.data());
+      std::ranges::copy(factor, in.data());
       a.multiply_and_dot(in, out);
-      return Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(out.data(), factor.size()));
+      return Eigen::VectorXd(as_vector(out.values()));
     };
     const double residual = worst(product(x) - b);
     for (const std::size_t part : {a.right, a.up, a.up_right, a.up_left}) {

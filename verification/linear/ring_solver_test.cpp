@@ -1,4 +1,5 @@
 // Matrices of rings and their solvers, when the pattern changes.
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -67,32 +68,26 @@ TEST_CASE("matrices of rings are the sums of their blocks, and are solved", "[li
   Rings second(2);
   const std::size_t n = first.unknowns;
   Noise noise(4);
-  Eigen::VectorXd x(static_cast<Eigen::Index>(n));
-  for (double& value : x) value = noise();
+  const Eigen::VectorXd x = Eigen::VectorXd::NullaryExpr(static_cast<Eigen::Index>(n), [&] { return noise(); });
   const Eigen::VectorXd b = first.dense * x;
   const Eigen::VectorXd y = first.matrix.lower().selfadjointView<Eigen::Lower>() * x;
-  Worst off;
-  for (std::size_t i = 0; i < n; ++i) off.add((y - b)[static_cast<Eigen::Index>(i)], static_cast<double>(i));
-  const Roundoff of_row{
-      .operations = 100, .scale = 10, .reason = "some fifty terms in a row, in two orders, of a sum of 10"};
-  check.holds("The product A x agrees with the dense sum.", {off.value()}, of_row);
+  check.holds("The product A x agrees with the dense sum.", {worst(y - b)},
+              Roundoff{100, 10, "some fifty terms in a row, in two orders, of a sum of 10"});
   constexpr double shift = 1e-8;  // of the diagonal, for the factors alone: refinement takes it out
   RingSolver solver;
-  std::vector<double> solution(n, 0.0);
+  const auto error = [&](const Rings& rings, const Eigen::VectorXd& right_hand_side) {
+    solver.factor(rings.matrix, shift);
+    Eigen::VectorXd solution = Eigen::VectorXd::Zero(x.size());
+    solver.solve({right_hand_side.data(), n}, {solution.data(), n});
+    return worst(solution - x);
+  };
   solver.factor(first.matrix, 1);  // other values of the same pattern
-  solver.factor(first.matrix, shift);
+  const double before = error(first, b);
   const long once = solver.analyses();
-  solver.solve({b.data(), n}, solution);
-  Worst error;
-  for (std::size_t i = 0; i < n; ++i) error.add(solution[i] - x[static_cast<Eigen::Index>(i)]);
   const Eigen::VectorXd other = second.dense * x;
   second.matrix = first.matrix;
   second.fill();
-  solver.factor(second.matrix, shift);
-  std::fill(solution.begin(), solution.end(), 0.0);
-  solver.solve({other.data(), n}, solution);
-  for (std::size_t i = 0; i < n; ++i) error.add(solution[i] - x[static_cast<Eigen::Index>(i)]);
-  check.holds("Solutions before and after a change of the pattern.", {error.value()},
+  check.holds("Solutions before and after a change of the pattern.", {worst(std::array{before, error(second, other)})},
               Bound{1e-13, "condition number below 100 times rounding"});
   check.holds("The pattern is analysed if and only if it has changed.",
               {static_cast<double>(10 * once + solver.analyses())}, Bound{0, "one, then two", 12});

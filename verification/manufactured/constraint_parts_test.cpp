@@ -1,4 +1,5 @@
 // What models with constraints say of them beyond their gradients: curvatures, and rates that walls leave.
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <string>
@@ -10,6 +11,7 @@
 #include "validation/instruments/mechanics/rigid_chain.hpp"
 #include "verification/check.hpp"
 #include "verification/conservation/lagrangian_mesh_problems.hpp"
+#include "verification/manufactured/all_hold.hpp"
 
 namespace seiche::verification::constraint_parts_test {
 
@@ -17,7 +19,7 @@ std::vector<double> random_rates(std::size_t count, unsigned seed) {
   std::minstd_rand random(seed);
   std::uniform_real_distribution<double> uniform(-1, 1);
   std::vector<double> rates(count);
-  for (double& u : rates) u = uniform(random);
+  std::ranges::generate(rates, [&] { return uniform(random); });
   return rates;
 }
 
@@ -28,8 +30,7 @@ TEST_CASE("the curvature of a chain's links is bilinear in two velocities", "[me
   for (const bool pinned : {true, false}) {
     rigid_chain::RigidChain chain({.masses = rigid_chain::alternating_masses(6), .pinned = pinned});
     const std::vector<double> q = random_rates(chain.coordinates(), 1);
-    const std::vector<double> u = random_rates(chain.rates(), 2);
-    const std::vector<double> v = random_rates(chain.rates(), 3);
+    const std::vector<double> u = random_rates(chain.rates(), 2), v = random_rates(chain.rates(), 3);
     const auto values = [&](double a, double b) {
       std::vector<double> at = q;
       for (std::size_t i = 0; i < at.size(); ++i) at[i] += a * u[i] + b * v[i];
@@ -96,14 +97,13 @@ TEST_CASE("nodes at a slanted wall retain the velocity along it", "[mechanics]")
               "A layer between walls whose south side is turned by 30 degrees. Its nodes retain the component of any "
               "velocity along the wall, and the vertical component above the bottom.");
   const double c = std::cos(std::acos(-1.0) / 6), s = 0.5;
-  Mesh mesh = layer_mesh(
-      {.end = 4,
-       .north = 3,
-       .columns = 4,
-       .rows = 3,
-       .layers = 2,
-       .sides = {
-           .west = plan_lattice::FreeSide{}, .east = plan_lattice::FreeSide{}, .north = plan_lattice::FreeSide{}}});
+  using plan_lattice::FreeSide;
+  Mesh mesh = layer_mesh({.end = 4,
+                          .north = 3,
+                          .columns = 4,
+                          .rows = 3,
+                          .layers = 2,
+                          .sides = {.west = FreeSide{}, .east = FreeSide{}, .north = FreeSide{}}});
   for (std::size_t k = 0; k < mesh.x.size(); ++k) {
     const double x = mesh.x[k], y = mesh.y[k];
     mesh.x[k] = c * x - s * y;
@@ -125,11 +125,9 @@ TEST_CASE("nodes at a slanted wall retain the velocity along it", "[mechanics]")
       free.add(state.u[n + inside] - given.y);
     }
   }
-  const auto claim = [&](const std::string& text, double value) {
-    check.holds(text, {value}, Roundoff{20, 1, "a normal from rounded positions, a product with it, and its part"});
-  };
-  claim("The component along the wall is unchanged.", slid.value());
-  claim("Velocities of nodes inside the water are not changed by sliding walls.", free.value());
+  all_hold(check, Roundoff{20, 1, "a normal from rounded positions, a product with it, and its part"},
+           {{"The component along the wall is unchanged.", slid.value()},
+            {"Velocities of nodes inside the water are not changed by sliding walls.", free.value()}});
 }
 
 }  // namespace seiche::verification::constraint_parts_test

@@ -43,14 +43,16 @@ Flow flow_of(std::size_t n, Stepping stepping) {
       labels[{column.x, column.y}] = label;
     }
   }
-  const auto velocity = [&](double x, double y) {
+  const auto column_from = [labels](double x, double y, double time) {
     const auto label = labels.at({x, y});
-    const auto column = motion.at(label.x, label.y, 0);
+    return motion.at(label.x, label.y, time);
+  };
+  const auto velocity = [&](double x, double y) {
+    const auto column = column_from(x, y, 0);
     return Velocity{column.u, column.v, column.depth_rate};
   };
-  const auto force = [labels](Point place, double time) {
-    const auto label = labels.at({place.x, place.y});
-    const auto column = motion.at(label.x, label.y, time);
+  const auto force = [column_from](Point place, double time) {
+    const auto column = column_from(place.x, place.y, time);
     return Point{column.bx, column.by};
   };
   return Flow(std::move(lattice), velocity, {.stepping = stepping},
@@ -58,8 +60,10 @@ Flow flow_of(std::size_t n, Stepping stepping) {
               {.body_force = force}, {}, false);
 }
 
-void run(Flow& flow, long steps) {
-  for (long n = 0; n < steps; ++n) flow.advance(end / static_cast<double>(steps));
+Flow run(std::size_t n, Stepping stepping, long steps) {
+  Flow flow = flow_of(n, stepping);
+  for (long k = 0; k < steps; ++k) flow.advance(end / static_cast<double>(steps));
+  return flow;
 }
 
 /// What a node has, and where it is.
@@ -88,12 +92,12 @@ std::array<double, 3> errors_of(const Flow& flow, const std::function<Node(std::
 /// Orders of places, elevations and horizontal velocities.
 void check_orders(Check& check, Stepping stepping, Refinement refinement, const Order& order,
                   const std::function<std::array<double, 3>(double)>& errors_at) {
-  const std::string scheme = stepping == Stepping::one_step ? "one-step" : "conservative";
-  refinement.id = scheme;
+  const std::string id = stepping == Stepping::one_step ? "one-step" : "conservative";
+  refinement.id = id;
   refine(check, refinement,
-         {{scheme + "-position", scheme + ": node positions converge at second order.", order},
-          {scheme + "-elevation", scheme + ": elevations converge at second order.", order},
-          {scheme + "-velocity", scheme + ": horizontal velocities converge at second order.", order}},
+         {{id + "-position", id + ": node positions converge at second order.", order},
+          {id + "-elevation", id + ": elevations converge at second order.", order},
+          {id + "-velocity", id + ": horizontal velocities converge at second order.", order}},
          errors_at);
 }
 
@@ -107,8 +111,7 @@ TEST_CASE("the 2DH model is second-order accurate against a manufactured motion"
     check_orders(check, stepping, {"width of a cell", widths(length, {12, 16, 24, 32, 48})},
                  {2, 0.05, "second order of smooth solutions"}, [&](double width) {
                    const std::size_t n = cells_of(length, width);
-                   Flow flow = flow_of(n, stepping);
-                   run(flow, std::lround(4 * end / width));
+                   const Flow flow = run(n, stepping, std::lround(4 * end / width));
                    return errors_of(flow, [&](std::size_t i, std::size_t j) {
                      const auto column = motion.at(label_of(i, n), label_of(j, n), end);
                      return Node{column.x, column.y, column.depth - motion.parameters().depth, column.u, column.v};
@@ -123,18 +126,14 @@ TEST_CASE("the 2DH model is second-order accurate in time alone", "[manufactured
               "time alone. The one-step scheme's volumes err by $O(\\tau^2)$ too.",
               source);
   for (const Stepping stepping : {Stepping::one_step, Stepping::conservative}) {
-    Flow finest = flow_of(16, stepping);
-    run(finest, 2048);
+    const Flow finest = run(16, stepping, 2048);
     const auto of_finest = [&](std::size_t i, std::size_t j) {
       const std::size_t k = finest.shape().node(i, j);
       return Node{finest.x()[k], finest.y()[k], finest.z()[k], finest.u()[k], finest.v()[k]};
     };
     check_orders(check, stepping, {"step", widths(end, {16, 32, 64, 128})},
-                 {2, 0.05, "a symmetric scheme; 2048 steps err by 1/256"}, [&](double tau) {
-                   Flow flow = flow_of(16, stepping);
-                   run(flow, std::lround(end / tau));
-                   return errors_of(flow, of_finest);
-                 });
+                 {2, 0.05, "a symmetric scheme; 2048 steps err by 1/256"},
+                 [&](double tau) { return errors_of(run(16, stepping, std::lround(end / tau)), of_finest); });
   }
 }
 

@@ -43,15 +43,14 @@ TEST_CASE("both shores have the mass of their tip", "[manufactured]") {
               "Water between slopes of 1 to 4 and 1 to 8. The mass of a tip is a quarter of its triangle, or a sixth, "
               "with which a plane surface over a plane slope accelerates uniformly, on either shore.");
   for (const auto& [mass, share, name] :
-       {std::tuple{TipMass::elementary, 0.25, "elementary"}, std::tuple{TipMass::consistent, 1.0 / 6, "consistent"}}) {
+       {std::tuple{TipMass::elementary, 0.25, "elementary"}, {TipMass::consistent, 1.0 / 6, "consistent"}}) {
     const Channel channel{.bottom = valley(), .left = End::tip, .right = End::tip, .tip_mass = mass};
     const Model model(channel, still_markers(channel, equal_labels(channel, -4, 8, 12)));
-    const auto claim = [&](const std::string& side, double part) {
-      check.holds(std::string(name) + "-" + side + ": Share of its cell in the mass of the tip, " + side + ".", {part},
+    for (const auto& [side, part] : {std::pair{"left", model.masses().front() / model.rest_volumes().front()},
+                                     {"right", model.masses().back() / model.rest_volumes().back()}}) {
+      check.holds(fmt::format("{}-{}: Share of its cell in the mass of the tip, {}.", name, side, side), {part},
                   Roundoff{10, share, "two areas of five operations each", share});
-    };
-    claim("left", model.masses().front() / model.rest_volumes().front());
-    claim("right", model.masses().back() / model.rest_volumes().back());
+    }
   }
 }
 

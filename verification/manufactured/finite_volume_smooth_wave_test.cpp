@@ -1,12 +1,13 @@
-#include <array>
 #include <cmath>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "seiche/exact/shallow_water/simple_wave.hpp"
 #include "seiche/models/shallow_water_finite_volume/finite_volume_flow.hpp"
+#include "seiche/samples.hpp"
 #include "validation/instruments/manufactured/cell_average.hpp"
 #include "verification/check.hpp"
 #include "verification/refinement.hpp"
@@ -26,22 +27,13 @@ double mean_depth_error(const exact::SimpleWave& wave, Scheme scheme, std::size_
     depth.push_back(mean.depth);
     discharge.push_back(mean.discharge);
   }
-  FiniteVolumeFlow::Settings settings;
-  settings.scheme = scheme;
-  settings.theta = 2;
-  FiniteVolumeFlow flow(settings, 0, length, depth, discharge);
+  FiniteVolumeFlow flow({.scheme = scheme, .theta = 2}, 0, length, depth, discharge);
   march(flow, 0.9);
   const auto reference = validation::cell_averages(wave, edges, 0.9);
-  double total = 0;
-  for (std::size_t i = 0; i < cells; ++i) total += std::abs(flow.depth()[i] - reference[i].depth);
-  return total / static_cast<double>(cells);
+  Mean error;
+  for (std::size_t i = 0; i < cells; ++i) error.add(std::abs(flow.depth()[i] - reference[i].depth));
+  return error.value();
 }
-
-struct Expectation {
-  Scheme scheme;
-  double order;
-  int coarsest;  // of the four grids that the order is fitted on
-};
 
 TEST_CASE("finite-volume schemes converge with their orders on a smooth simple wave", "[manufactured]") {
   Check check(
@@ -52,20 +44,16 @@ TEST_CASE("finite-volume schemes converge with their orders on a smooth simple w
       "than the order of the second-order schemes, whose limiter adds a small error at the crest.",
       "Toro, Shock-capturing methods for free-surface shallow flows (2001)");
   const auto wave = exact::SimpleWave::hump(9.81, 1, 0.2, 6, 6);
-  const std::array<Expectation, 4> expectations{{
-      {Scheme::lax_friedrichs, 1, 1600},
-      {Scheme::roe, 1, 800},
-      {Scheme::mac_cormack, 2, 400},
-      {Scheme::muscl_hll, 2, 400},
-  }};
-  for (const Expectation& expectation : expectations) {
-    const std::string id(shallow_water_finite_volume::name(expectation.scheme));
-    const int n = expectation.coarsest;
+  /// n: of the coarsest of the four grids that the order is fitted on.
+  for (const auto& [scheme, order, n] : {std::tuple{Scheme::lax_friedrichs, 1.0, 1600},
+                                         {Scheme::roe, 1.0, 800},
+                                         {Scheme::mac_cormack, 2.0, 400},
+                                         {Scheme::muscl_hll, 2.0, 400}}) {
+    const std::string id(shallow_water_finite_volume::name(scheme));
     refine(check, {"cell width [m]", widths(length, {n, 2 * n, 4 * n, 8 * n}), id, id},
-           {{id + "-order",
-             fmt::format("Scheme {} converges with order {:g}.", id, expectation.order),
-             {expectation.order, 0.15, "approached from below: next term of the error on the four finest grids"}}},
-           [&](double width) { return mean_depth_error(wave, expectation.scheme, cells_of(length, width)); });
+           {{id + "-order", fmt::format("Scheme {} converges with order {:g}.", id, order),
+             Order{order, 0.15, "approached from below: next term of the error on the four finest grids"}}},
+           [&, scheme = scheme](double width) { return mean_depth_error(wave, scheme, cells_of(length, width)); });
   }
 }
 

@@ -17,8 +17,6 @@ using namespace gauss_particles;
 using namespace mechanics;
 using exact::StretchingDrop;
 
-const std::string source = "Frank, Discrete models of incompressible fluid (1994), section 6.3; Dirichlet (1860)";
-
 /// Largest distance from the exact places at t = 2; the disc has radius 1, u = (x, -y).
 template <template <class> class Step>
 double error(const Particles& particles, double tau) {
@@ -49,16 +47,14 @@ TEST_CASE("particles with all linear fields follow Dirichlet's ellipse, however 
               "With the five linear solenoidal fields and isotropic second moments the particles move on the exact "
               "paths except for the error in time: second-order with the conservative scheme, for 300 particles and "
               "for 4, first-order with Frank's projection scheme.",
-              source);
-  const auto order = [](double theory) {
-    return Order{theory, 0.01,
-                 "time is the only source of error, and the next term is tau (projection scheme) or tau^2 of the "
-                 "first: 0.01 of an order over this range"};
-  };
+              "Frank, Discrete models of incompressible fluid (1994), section 6.3; Dirichlet (1860)");
+  const std::string reason =
+      "time is the only source of error, and the next term is tau (projection scheme) or tau^2 of the first: 0.01 of "
+      "an order over this range";
   refine(check, {"step", {0.04, 0.02, 0.01, 0.005}},
-         {{"conservative", "Conservative scheme, 300 particles: second order.", order(2)},
-          {"four-particles", "Conservative scheme, 4 particles: second order.", order(2)},
-          {"projection-scheme", "Frank's projection scheme converges at first order in the step.", order(1)}},
+         {{"conservative", "Conservative scheme, 300 particles: second order.", {2, 0.01, reason}},
+          {"four-particles", "Conservative scheme, 4 particles: second order.", {2, 0.01, reason}},
+          {"projection-scheme", "Frank's projection scheme converges at first order in the step.", {1, 0.01, reason}}},
          [](double tau) {
            return std::array{error<OneStep>(disc(1, 10), tau), error<OneStep>(four(), tau),
                              error<ProjectedStep>(disc(1, 10), tau)};

@@ -1,7 +1,6 @@
 // The projection of free particles' velocities: exact fields to the order of the splines, gradients to zero.
 #include <array>
 #include <cmath>
-#include <functional>
 #include <memory>
 #include <numbers>
 #include <random>
@@ -33,30 +32,15 @@ struct Velocities {
   std::vector<double> u, v;
 };
 
-/// Of the stream function sin x sinh y + (1/2) cos 2x y exp(-y) + y^2/3, zero on the bottom y = 0.
-Velocities solenoidal(const Particles& at) {
-  Velocities w;
-  for (std::size_t k = 0; k < at.size(); ++k) {
-    const double x = at.x[k];
-    const double y = at.y[k];
-    w.u.push_back(std::sin(x) * std::cosh(y) + 0.5 * std::cos(2 * x) * std::exp(-y) * (1 - y) + 2 * y / 3);
-    w.v.push_back(-std::cos(x) * std::sinh(y) + std::sin(2 * x) * y * std::exp(-y));
-  }
-  return w;
-}
-
-/// Gradient of (surface - y) cos(x - 0.3) exp(y/2), zero on the surface.
-Velocities gradient(const Particles& at) {
-  Velocities w;
-  for (std::size_t k = 0; k < at.size(); ++k) {
-    const double x = at.x[k];
-    const double y = at.y[k];
-    const double below = surface(x) - y;
-    const double part = std::exp(y / 2);
-    w.u.push_back(part * (-0.1 * std::sin(x) * std::cos(x - 0.3) - below * std::sin(x - 0.3)));
-    w.v.push_back(part * std::cos(x - 0.3) * (below / 2 - 1));
-  }
-  return w;
+/// 2 by 1, twelve particles to a cell along either axis.
+Particles block(int cells, double density = 1) {
+  return layer({.end = 2,
+                .columns = static_cast<std::size_t>(12 * cells),
+                .rows = static_cast<std::size_t>(6 * cells),
+                .density = density,
+                .surface = [](double) { return 1.0; },
+                .bottom = [](double) { return 0.0; },
+                .end_corrected = false});
 }
 
 Particles water(int cells, int per_side, bool end_corrected) {
@@ -67,6 +51,32 @@ Particles water(int cells, int per_side, bool end_corrected) {
                 .surface = surface,
                 .bottom = [](double) { return 0.0; },
                 .end_corrected = end_corrected});
+}
+
+/// Of the velocity of(x, y).
+template <class Field>
+Velocities velocities(const Particles& at, const Field& of) {
+  Velocities w;
+  for (std::size_t k = 0; k < at.size(); ++k) {
+    const Point v = of(at.x[k], at.y[k]);
+    w.u.push_back(v.x);
+    w.v.push_back(v.y);
+  }
+  return w;
+}
+
+/// Of the stream function sin x sinh y + (1/2) cos 2x y exp(-y) + y^2/3, zero on the bottom y = 0.
+Point solenoidal(double x, double y) {
+  return {std::sin(x) * std::cosh(y) + 0.5 * std::cos(2 * x) * std::exp(-y) * (1 - y) + 2 * y / 3,
+          -std::cos(x) * std::sinh(y) + std::sin(2 * x) * y * std::exp(-y)};
+}
+
+/// Gradient of (surface - y) cos(x - 0.3) exp(y/2), zero on the surface.
+Point gradient(double x, double y) {
+  const double below = surface(x) - y;
+  const double part = std::exp(y / 2);
+  return {part * (-0.1 * std::sin(x) * std::cos(x - 0.3) - below * std::sin(x - 0.3)),
+          part * std::cos(x - 0.3) * (below / 2 - 1)};
 }
 
 Velocities projected(const Particles& at, Velocities w, int degree, int cells) {
@@ -118,7 +128,7 @@ TEST_CASE("the projection finds a smooth field to the order of its splines", "[m
                    at.mass[k] *= 1 + part();
                  }
                }
-               const Velocities exact = solenoidal(at);
+               const Velocities exact = velocities(at, solenoidal);
                return difference(at, projected(at, exact, degree, cells), exact);
              });
     }
@@ -133,11 +143,10 @@ TEST_CASE("a pressure gradient is projected to zero as the particles' sums becom
               "seed of the instability under gravity.",
               source);
   refine(check, {"spacing in cells", widths(1, {8, 16, 32, 64})},
-         {{"midpoint",
-           "Projections with equal masses have order 2.",
-           {2, 0.1,
-            "the midpoint rule, by its ends; the error from lines of the grid is s^1.5 of it: 0.04 at the largest "
-            "spacing s = 1/8 and 0.002 at the smallest, or 0.02 of an order"}},
+         {{"midpoint", "Projections with equal masses have order 2.",
+           Order{2, 0.1,
+                 "the midpoint rule, by its ends; the error from lines of the grid is s^1.5 of it: 0.04 at the largest "
+                 "spacing s = 1/8 and 0.002 at the smallest, or 0.02 of an order"}},
           {"end-corrected",
            "Projections with end-corrected masses have order 4.",
            {4, 0.5,
@@ -147,7 +156,7 @@ TEST_CASE("a pressure gradient is projected to zero as the particles' sums becom
          [](double spacing) {
            const auto left = [&](bool end_corrected) {
              const Particles at = water(40, static_cast<int>(cells_of(1, spacing)), end_corrected);
-             const Velocities full = gradient(at);
+             const Velocities full = velocities(at, gradient);
              return norm(at, projected(at, full, 3, 40)) / norm(at, full);
            };
            return std::array{left(false), left(true)};
@@ -159,51 +168,26 @@ TEST_CASE("the penalty of a cubic stream function is its integral", "[manufactur
       "gauss_particles_penalty", "Gauss-principle particles: the penalty on gradients of vorticity",
       "Cubic splines hold the stream functions of these flows on a block of 2 by 1, whose cells are full: the penalty "
       "is the integral of the squared gradient of their vorticity, times h^(7/2), and zero for an irrotational flow.");
-  struct Flow {
-    std::string id, text;
-    std::function<Point(double x, double y)> velocity;
-    double gradient;  ///< of the vorticity
-  };
-  const std::vector<Flow> flows{{"shear", "Stream function y^3/6",
-                                 [](double, double y) {
-                                   return Point{y * y / 2, 0};
-                                 },
-                                 1},
-                                {"crossed", "Stream function x^2 y/2",
-                                 [](double x, double y) {
-                                   return Point{x * x / 2, -x * y};
-                                 },
-                                 1},
-                                {"irrotational", "Stream function x^3 - 3 x y^2",
-                                 [](double x, double y) {
-                                   return Point{-6 * x * y, 3 * (y * y - x * x)};
-                                 },
-                                 0}};
+  using Flow = Point (*)(double x, double y);
+  const Flow shear = [](double, double y) { return Point{y * y / 2, 0}; };
+  const Flow crossed = [](double x, double y) { return Point{x * x / 2, -x * y}; };
+  const Flow irrotational = [](double x, double y) { return Point{-6 * x * y, 3 * (y * y - x * x)}; };
   constexpr double factor = 1e-13;  // small enough to change nothing
-  for (const Flow& flow : flows) {
+  for (const auto& [text, flow, vorticity_gradient] : {std::tuple{"Stream function y^3/6", shear, 1},
+                                                       {"Stream function x^2 y/2", crossed, 1},
+                                                       {"Stream function x^3 - 3 x y^2", irrotational, 0}}) {
     for (const int cells : {4, 8}) {
       const double h = 1.0 / cells;
-      const Particles at = layer({.end = 2,
-                                  .columns = static_cast<std::size_t>(12 * cells),
-                                  .rows = static_cast<std::size_t>(6 * cells),
-                                  .surface = [](double) { return 1.0; },
-                                  .bottom = [](double) { return 0.0; },
-                                  .end_corrected = false});
+      const Particles at = block(cells);
       SplineSpace space(LatticePlan{.cell_x = h});
       space.place({}, at.x, at.y, at.mass, factor);
-      Velocities w;
-      for (std::size_t k = 0; k < at.size(); ++k) {
-        const Point v = flow.velocity(at.x[k], at.y[k]);
-        w.u.push_back(v.x);
-        w.v.push_back(v.y);
-      }
+      Velocities w = velocities(at, flow);
       space.project(w.u, w.v);
-      check.holds(flow.text + ", h = 1/" + std::to_string(cells) + ".",
-                  {space.facts().penalty / (factor * std::pow(h, 3.5) * 2)},
+      check.holds(fmt::format("{}, h = 1/{}.", text, cells), {space.facts().penalty / (factor * std::pow(h, 3.5) * 2)},
                   Bound{1e-7,
                         "the penalty itself, 1e-13 of the velocities, and roundings of 1e-15 of stream functions up to "
                         "8, whose third derivatives magnify them by h^-3 = 512 and a few differences",
-                        flow.gradient * flow.gradient});
+                        vorticity_gradient});
     }
   }
 }
@@ -215,13 +199,7 @@ TEST_CASE("the penalty reduces the energy by its integral in a step", "[manufact
   constexpr double density = 3, gravity = 4, coefficient = 0.5, tau = 1e-6;
   for (const int cells : {4, 8}) {
     const double h = 1.0 / cells;
-    Model model(layer({.end = 2,
-                       .columns = static_cast<std::size_t>(12 * cells),
-                       .rows = static_cast<std::size_t>(6 * cells),
-                       .density = density,
-                       .surface = [](double) { return 1.0; },
-                       .bottom = [](double) { return 0.0; },
-                       .end_corrected = false}),
+    Model model(block(cells, density),
                 std::make_unique<SplineSpace>(LatticePlan{.cell_x = h}, SplineSpace::Settings{.density = density}),
                 {.gravity = gravity, .density = density, .penalty = coefficient});
     mechanics::State state = model.state([](Point at) { return Point{at.y * at.y / 2, 0}; });
@@ -239,9 +217,9 @@ TEST_CASE("the penalty reduces the energy by its integral in a step", "[manufact
                       "the field that is left differs from the given one by tau C h^(-1/2), some 1e-6, and energies of "
                       "0.15 are rounded to 1e-17 each, of which 1e-9 is the difference",
                       1};
-    check.holds("The energy falls by it, h = 1/" + std::to_string(cells) + ".", {(before - energy()) / by_hand}, bound);
-    check.holds("The energy is recorded as lost, h = 1/" + std::to_string(cells) + ".",
-                {model.penalty_loss() / by_hand}, bound);
+    const std::string cell = ", h = 1/" + std::to_string(cells) + ".";
+    check.holds("The energy falls by it" + cell, {(before - energy()) / by_hand}, bound);
+    check.holds("The energy is recorded as lost" + cell, {model.penalty_loss() / by_hand}, bound);
   }
 }
 

@@ -9,6 +9,7 @@
 #include "validation/instruments/mechanics/reference_integrators.hpp"
 #include "validation/instruments/mechanics/rigid_chain.hpp"
 #include "verification/check.hpp"
+#include "verification/manufactured/all_hold.hpp"
 #include "verification/timed_steps.hpp"
 
 namespace seiche::verification::integrator_parts_test {
@@ -48,15 +49,13 @@ TEST_CASE("weights of compositions meet the conditions of order four", "[mechani
   Check check("composition_weights", "Weights of compositions",
               "A symmetric composition of a symmetric step of order two is of order four when its weights add up to "
               "one and their cubes to zero. An error in the last digits of a weight shows in no observed order.");
-  const auto claim = [&](const std::string& text, double value, double expected) {
-    check.holds(text, {value}, Roundoff{10, 5, "at most ten rounded weights, their cubes up to 5", expected});
-  };
   // The cubes of the halves of a pair are an eighth of the stage's each: a quarter of nothing.
   for (const auto& [name, weights] :
        {std::pair{"the triple jump", triple_jump_weights()}, std::pair{"Suzuki's composition", suzuki_weights()}}) {
-    claim(fmt::format("The weights of {} add up to one.", name), sum_of_powers(weights, 1), 1);
-    claim(fmt::format("The cubes of the weights of {} add up to zero.", name), sum_of_powers(weights, 3), 0);
-    claim(fmt::format("The weights of {} are symmetric.", name), asymmetry(weights), 0);
+    all_hold(check, Roundoff{10, 5, "at most ten rounded weights, their cubes up to 5"},
+             {{fmt::format("The weights of {} add up to one.", name), sum_of_powers(weights, 1), 1},
+              {fmt::format("The cubes of the weights of {} add up to zero.", name), sum_of_powers(weights, 3)},
+              {fmt::format("The weights of {} are symmetric.", name), asymmetry(weights)}});
   }
 }
 
@@ -68,17 +67,17 @@ TEST_CASE("equal steps are no longer than asked for and end at the time", "[mech
   std::vector<double> lengths;
   TimedSteps flow{state, [&](double length) { lengths.push_back(length); }};
   march(flow, 2, 0.4);
-  const auto claim = [&](const std::string& text, double value, double expected) {
-    check.holds(text, {value}, Roundoff{4, 2, "a rounded time per step", expected});
-  };
-  claim("The number of steps is the smallest that fits.", static_cast<double>(lengths.size()), 4);
-  claim("The longest is the time over their number.", largest(lengths), 0.375);
-  claim("The shortest step equals the time over the number of steps.", smallest(lengths), 0.375);
-  claim("The last step ends exactly at the end time.", state.time, 2);
+  const Roundoff rounding{.operations = 4, .scale = 2, .reason = "a rounded time per step"};
+  all_hold(check, rounding,
+           {{"The number of steps is the smallest that fits.", static_cast<double>(lengths.size()), 4},
+            {"The longest is the time over their number.", largest(lengths), 0.375},
+            {"The shortest step equals the time over the number of steps.", smallest(lengths), 0.375},
+            {"The last step ends exactly at the end time.", state.time, 2}});
   state.time = 0.5;
   lengths.clear();
   march(flow, 2, 0.3);
-  claim("A time of five whole steps is divided into five.", static_cast<double>(lengths.size()), 5);
+  all_hold(check, rounding,
+           {{"A time of five whole steps is divided into five.", static_cast<double>(lengths.size()), 5}});
 }
 
 TEST_CASE("errors of adaptive methods stay within their tolerance", "[mechanics]") {

@@ -19,7 +19,7 @@ TEST_CASE("the barrier's force is the slope of its energy", "[manufactured]") {
               "against differences of the energy, fourth order in their width.",
               "the energy of corner_barrier.hpp");
   Mesh mesh = free_patch(3, 3, {0, 0}, {3, 3});
-  std::vector<double> areas(mesh.cells(), 1.0);
+  const std::vector<double> areas(mesh.cells(), 1.0);
   const std::size_t n = mesh.nodes();
   std::vector<double> q = lattice::joined({mesh.x, mesh.y});
   const std::size_t moved = mesh.node(1, 1);
@@ -31,24 +31,22 @@ TEST_CASE("the barrier's force is the slope of its energy", "[manufactured]") {
   const auto difference = [&](double width) {
     Largest largest;
     for (std::size_t k = 0; k < n; ++k) {
-      const auto slope = [&](double& coordinate) {
-        const double place = coordinate;
-        const auto energy = [&](double shift) {
-          coordinate = place + shift;
-          return barrier.energy(mesh, areas, q);
-        };
-        const double slope_of_energy = verification::difference(energy, 2 * width);
-        coordinate = place;
-        return slope_of_energy;
+      const auto slope = [&](std::size_t coordinate) {
+        return verification::difference(
+            [&](double shift) {
+              std::vector<double> there = q;
+              there[coordinate] += shift;
+              return barrier.energy(mesh, areas, there);
+            },
+            2 * width);
       };
-      largest.add(std::hypot(push[k] + slope(q[k]), push[n + k] + slope(q[n + k])));
+      largest.add(std::hypot(push[k] + slope(k), push[n + k] + slope(n + k)));
     }
     return largest.value();
   };
   refine(check, {.axis = "width of the differences", .sizes = {0.008, 0.004, 0.002, 0.001, 0.0005}, .floor = 1e-9},
-         {{"force",
-           "The forces agree with the gradient of the energy: the difference falls at fourth order.",
-           {4, 0.3, "fourth-order differences of a smooth energy"}}},
+         {{"force", "The forces agree with the gradient of the energy: the difference falls at fourth order.",
+           Order{4, 0.3, "fourth-order differences of a smooth energy"}}},
          difference);
 }
 

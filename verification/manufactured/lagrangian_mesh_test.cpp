@@ -19,8 +19,6 @@ using namespace lagrangian_mesh_2d;
 using mechanics::Stepping;
 using validation::DoubleShear;
 
-const std::string source = "method of manufactured solutions: Roache, J. Fluids Eng. 124 (2002) 4";
-
 /// Multiples of eight: nodes lie on the borders of interior and judged edge.
 const std::vector<int> meshes{16, 24, 32, 48, 64};
 
@@ -33,8 +31,7 @@ Mesh label_mesh(std::size_t n, double distortion) {
   constexpr double pi = std::numbers::pi;
   Mesh mesh = free_patch(n, n, {-1, -1}, {1, 1});
   for (std::size_t k = 0; k < mesh.nodes(); ++k) {
-    const double x = mesh.x[k];
-    const double y = mesh.y[k];
+    const double x = mesh.x[k], y = mesh.y[k];
     mesh.x[k] += distortion * std::sin(pi * x) * std::cos(pi * y);
     mesh.y[k] += distortion * std::cos(pi * x) * std::sin(pi * y);
   }
@@ -52,10 +49,7 @@ Point lattice_place(const Mesh& mesh, std::size_t node) {
 /// Label of a cell's middle: mean of its corners.
 Point middle(const Mesh& mesh, std::size_t cell) {
   Point mean;
-  for (const std::size_t node : mesh.corners(cell)) {
-    mean.x += 0.25 * mesh.x[node];
-    mean.y += 0.25 * mesh.y[node];
-  }
+  for (const std::size_t node : mesh.corners(cell)) mean += 0.25 * Point{mesh.x[node], mesh.y[node]};
   return mean;
 }
 
@@ -88,12 +82,10 @@ std::array<double, 5> errors_of(std::size_t n, const Scheme& scheme, double dist
   Worst interior, slip;
   for (std::size_t k = 0; k < mesh.nodes(); ++k) {
     const DoubleShear::Sample s = motion.at(mesh.x[k], mesh.y[k], flow.time());
-    const double dx = flow.x()[k] - s.x;
-    const double dy = flow.y()[k] - s.y;
+    const double dx = flow.x()[k] - s.x, dy = flow.y()[k] - s.y;
     position.add(std::hypot(dx, dy), flow.model().nodes().mass()[k]);
     const Point place = lattice_place(mesh, k);
-    const bool inside = std::abs(place.x) <= 0.5 && std::abs(place.y) <= 0.5;
-    if (inside) interior.add(worst(std::array{dx, dy}));
+    if (std::abs(place.x) <= 0.5 && std::abs(place.y) <= 0.5) interior.add(worst(std::array{dx, dy}));
     if (k < mesh.node(0, mesh.rows) || std::abs(place.x) > judged_edge) continue;
     const TopEdge edge(motion.parameters(), flow.time(), flow.x()[k]);
     shape.add((flow.y()[k] - edge.height) / std::hypot(1, edge.slope));
@@ -115,21 +107,16 @@ void check_orders(Check& check, const std::string& id, const std::string& scheme
   refine(
       check,
       {.axis = "width of a cell", .sizes = widths(2, meshes), .id = "convergence_" + id, .title = "Errors, " + scheme},
-      {{id + "-interior",
-        scheme + ": interior node positions converge at second order.",
-        {2, 0.15, "second order; coarse meshes' interiors still feel the layer at the edges"}},
-       {id + "-pressure",
-        scheme + ": the pressure converges at second order.",
-        {2, 0.1, "second order of smooth solutions"}},
-       {id + "-shape",
-        scheme + ": the surface shape converges at second order.",
-        {2, 0.2, "second order, and first order at the corners, whose influence decays along the edge"}},
-       {id + "-position",
-        scheme + ": the rms error of all node positions converges at order 1.5.",
-        {1.5, 0.1, "first-order errors in a layer of one cell"}},
-       {id + "-slip",
-        scheme + ": surface nodes slip along the surface to first order.",
-        {1, 0.1, "slip of half a cell's pressure gradient; the next term is second-order accurate"}}},
+      {{id + "-interior", scheme + ": interior node positions converge at second order.",
+        Order{2, 0.15, "second order; coarse meshes' interiors still feel the layer at the edges"}},
+       {id + "-pressure", scheme + ": the pressure converges at second order.",
+        Order{2, 0.1, "second order of smooth solutions"}},
+       {id + "-shape", scheme + ": the surface shape converges at second order.",
+        Order{2, 0.2, "second order, and first order at the corners, whose influence decays along the edge"}},
+       {id + "-position", scheme + ": the rms error of all node positions converges at order 1.5.",
+        Order{1.5, 0.1, "first-order errors in a layer of one cell"}},
+       {id + "-slip", scheme + ": surface nodes slip along the surface to first order.",
+        Order{1, 0.1, "slip of half a cell's pressure gradient; the next term is second-order accurate"}}},
       [&](double width) { return errors_of(cells_of(2, width), {.stepping = stepping}, distortion); });
 }
 
@@ -141,7 +128,7 @@ TEST_CASE("the Lagrangian mesh is second-order accurate in the interior, in pres
       "around; $t = 1$, steps of a fifth of a cell. A surface node feels the pressure gradient half a cell below the "
       "surface and slips along it to first order; in a layer of one cell that makes order 1.5 in the root mean square. "
       "Everything else is second-order accurate. The distorted mesh is displaced within the square by up to 0.12.",
-      source);
+      "method of manufactured solutions: Roache, J. Fluids Eng. 124 (2002) 4");
   check_orders(check, "one-step", "one-step scheme", Stepping::one_step, 0);
   check_orders(check, "conservative", "conservative scheme", Stepping::conservative, 0);
   check_orders(check, "one-step-distorted", "one-step scheme, distorted mesh", Stepping::one_step, 0.12);

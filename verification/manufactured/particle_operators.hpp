@@ -67,8 +67,7 @@ std::vector<Operators> operators(const Cloud& cloud, double h, const std::vector
     Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
     Eigen::Vector3d field_moments = Eigen::Vector3d::Zero();
     for (std::size_t b = 0; b < count; ++b) {
-      const double x = nearest(cloud.x[a] - cloud.x[b]);
-      const double z = nearest(cloud.z[a] - cloud.z[b]);
+      const double x = nearest(cloud.x[a] - cloud.x[b]), z = nearest(cloud.z[a] - cloud.z[b]);
       const double square = x * x + z * z;
       if (square >= reach) continue;
       const double r = std::sqrt(square);

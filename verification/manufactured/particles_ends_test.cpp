@@ -17,23 +17,18 @@ TEST_CASE("friction slows a uniform stream according to Manning's law", "[manufa
               "A stream of uniform depth and velocity between free ends obeys $u' = -k u |u|$, $k = g n^2/h^{4/3}$, "
               "hence $u = u_0/(1 + k u_0 t)$. The error falls with the square of the step.",
               "Manning's law, integrated");
-  constexpr double depth = 0.3;
-  constexpr double velocity = 2;
-  constexpr double manning = 0.03;
-  constexpr double end = 4;
+  constexpr double depth = 0.3, velocity = 2, manning = 0.03, end = 4;
   const double rate = g * manning * manning / std::pow(depth, 4.0 / 3);
   const double exact = velocity / (1 + rate * velocity * end);
-  refine(check, {.axis = "step", .sizes = widths(end, {40, 80, 160, 320, 640}), .floor = 1e-12},
-         {{"order",
-           "The velocity after four seconds is second-order in the step.",
-           {2, 0.1, "a second-order scheme for an ordinary differential equation"}}},
-         [&](double tau) {
-           Forcing forcing;
-           forcing.manning = manning;
-           ParticleFlow flow(uniform_stretches({{0, 20, {depth, velocity}}}, 20), {Free{}, Free{}}, forcing);
-           for (std::size_t k = cells_of(end, tau); k > 0; --k) flow.advance(tau);
-           return std::abs(flow.particles().velocity[10] - exact);
-         });
+  refine(
+      check, {.axis = "step", .sizes = widths(end, {40, 80, 160, 320, 640}), .floor = 1e-12},
+      {{"order", "The velocity after four seconds is second-order in the step.",
+        Order{2, 0.1, "a second-order scheme for an ordinary differential equation"}}},
+      [&](double tau) {
+        ParticleFlow flow(uniform_stretches({{0, 20, {depth, velocity}}}, 20), {Free{}, Free{}}, {.manning = manning});
+        for (std::size_t k = cells_of(end, tau); k > 0; --k) flow.advance(tau);
+        return std::abs(flow.particles().velocity[10] - exact);
+      });
 }
 
 TEST_CASE("an accelerated piston bears the thrust of its simple wave", "[manufactured]") {
@@ -42,8 +37,7 @@ TEST_CASE("an accelerated piston bears the thrust of its simple wave", "[manufac
               "the celerity at the piston is $c_0 + v/2$. The impulse it has given by then is the integral of the "
               "thrust $c^4/(2g)$.",
               "Stoker, Water Waves (1957), section 10.3");
-  constexpr double b = 0.2;
-  constexpr double end = 2;
+  constexpr double b = 0.2, end = 2;
   const double c = std::sqrt(g);
   const double rise = 0.5 * b * end * end;
   // The binomial of (c + b t^2/2)^4, integrated term by term.
@@ -51,9 +45,8 @@ TEST_CASE("an accelerated piston bears the thrust of its simple wave", "[manufac
                         4 * c * rise * rise * rise / 7 + rise * rise * rise * rise / 9;
   const double exact = 0.5 * fourth * end / g;
   refine(check, {.axis = "particle width", .sizes = widths(10, {40, 80, 160, 320}), .floor = 1e-12},
-         {{"impulse",
-           "The piston's impulse agrees with the simple wave, to second order.",
-           {2, 0.3, "second order in width and step"}}},
+         {{"impulse", "The piston's impulse agrees with the simple wave, to second order.",
+           Order{2, 0.3, "second order in width and step"}}},
          [&](double width) {
            const std::size_t count = cells_of(10, width);
            ParticleFlow flow(uniform_stretches({{0, 10, {1, 0}}}, count),

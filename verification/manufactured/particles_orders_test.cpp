@@ -26,23 +26,12 @@ TEST_CASE("a smooth simple wave converges with first (G1) and second order (M2, 
               "Mean-value errors of the depth against the exact simple wave. Hand-over must not mistake the "
               "compression for a jump: H2 equals M2.",
               "Godunov (1959)");
-  const double celerity = std::sqrt(gravity);
-  const auto depth = [](double x) {
-    const double y = x - 6;
-    return std::abs(y) < 3 ? 1 + 0.2 * std::pow(std::cos(std::numbers::pi * y / 6), 6) : 1.0;
-  };
-  const auto slope = [](double x) {
-    const double y = x - 6;
-    const double a = std::numbers::pi / 6;
-    return std::abs(y) < 3 ? -1.2 * a * std::pow(std::cos(a * y), 5) * std::sin(a * y) : 0.0;
-  };
-  const exact::SimpleWave exact(gravity, 1, {depth, slope, 3, 9});
+  const auto exact = exact::SimpleWave::hump(gravity, 1, 0.2, 6, 6);
   const auto error = [&](Level level, double width) {
-    Scheme scheme;
-    scheme.level = level;
-    ParticleFlow flow(particles_from_profile(equal_width_edges(0, 20, cells_of(20, width)), depth,
-                                             [&](double x) { return 2 * (std::sqrt(gravity * depth(x)) - celerity); }),
-                      {}, {}, scheme);
+    ParticleFlow flow(particles_from_profile(
+                          equal_width_edges(0, 20, cells_of(20, width)), [&](double x) { return exact.at(x, 0).depth; },
+                          [&](double x) { return exact.at(x, 0).velocity; }),
+                      {}, {}, {.level = level});
     march(flow, 0.9);
     return cell_error(
                flow.measured_profile(), [&](double x) { return exact.at(x, 0.9); }, exact.breakpoints(0.9))
@@ -53,9 +42,8 @@ TEST_CASE("a smooth simple wave converges with first (G1) and second order (M2, 
                      "faster than second order"};
   const auto errors = refine(
       check, {"particle width [m]", widths(20, {200, 400, 800, 1600})},
-      {{"order_G1",
-        "The depth of scheme G1 converges at first order.",
-        {1, 0.2, "first order from below: wide particles smear the crest"}},
+      {{"order_G1", "The depth of scheme G1 converges at first order.",
+        Order{1, 0.2, "first order from below: wide particles smear the crest"}},
        {"order_M2", "The depth of scheme M2 converges at second order.", second},
        {"order_H2", "The depth of scheme H2 converges at second order.", second}},
       [&](double width) {
@@ -75,14 +63,13 @@ TEST_CASE("a manufactured Lagrangian motion converges with second order", "[manu
   const validation::LagrangianManufactured exact(gravity);
   refine(
       check, {"particle width [m]", widths(1, {320, 480, 640, 960})},
-      {{"edges",
-        "Positions of the edges converge at second order.",
-        {2, 0.35,
-         "approaches 2 from below (1.65, 1.83, 1.91 from 160 to 1280): errors of the limited extrema and of the rest "
-         "cancel on coarse rows"}},
-       {"velocities",
-        "Velocities of the particles converge at second order.",
-        {2, 0.35, "approaches 2 from above: the limited extrema shrink with the width"}}},
+      {{"edges", "Positions of the edges converge at second order.",
+        Order{2, 0.35,
+              "approaches 2 from below (1.65, 1.83, 1.91 from 160 to 1280): errors of the limited extrema and of the "
+              "rest "
+              "cancel on coarse rows"}},
+       {"velocities", "Velocities of the particles converge at second order.",
+        Order{2, 0.35, "approaches 2 from above: the limited extrema shrink with the width"}}},
       [&](double width) {
         const std::size_t count = cells_of(1, width);
         Particles start;
@@ -92,9 +79,7 @@ TEST_CASE("a manufactured Lagrangian motion converges with second order", "[manu
           start.mass.push_back(labels[i + 1] - labels[i]);
           start.velocity.push_back(exact.mean_velocity(labels[i], labels[i + 1], 0));
         }
-        Forcing forcing;
-        forcing.body_force = [&](double x, double t) { return exact.source(x, t); };
-        ParticleFlow flow(start, {}, forcing);
+        ParticleFlow flow(start, {}, {.body_force = [&](double x, double t) { return exact.source(x, t); }});
         march(flow, 1);
         double edge = 0, velocity = 0;
         for (std::size_t k = 0; k <= count; ++k) {
@@ -140,9 +125,7 @@ TEST_CASE("a planar surface in a parabolic bowl retains its shoreline", "[manufa
         start.mass.assign(count, exact.area() / static_cast<double>(count));
         start.velocity.assign(count, 0.0);
         const Array edges = start.edge;
-        Forcing forcing;
-        forcing.bed = exact.bed();
-        ParticleFlow flow(start, {Vacuum{}, Vacuum{}}, forcing);
+        ParticleFlow flow(start, {Vacuum{}, Vacuum{}}, {.bed = exact.bed()});
         Worst error;
         march(
             flow, 3 * exact.period(), [&](double) { return flow.largest_step().tau; },

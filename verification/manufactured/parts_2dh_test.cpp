@@ -1,31 +1,38 @@
 // Parts of the 2DH model that are known in closed form: volumes over a bottom, motion carried to another tangent
 // plane, masses on a shore, the column that a moving window appends.
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <random>
 #include <string>
 #include <vector>
 
 #include <boost/math/quadrature/gauss.hpp>
 
+#include "seiche/geometry/vector.hpp"
+#include "seiche/lattice/water.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/model.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 #include "verification/conservation/dispersive_2dh_problems.hpp"
+#include "verification/manufactured/all_hold.hpp"
 #include "verification/polynomial_bottom.hpp"
 
 namespace seiche::verification::parts_2dh_test {
 
 using namespace dispersive_shallow_water_2d;
 
-const std::string source = "Frank, Discrete models of incompressible fluid (1994), chapters 3 and 4";
-
-/// int (z - b) dA over a cell with straight sides and the bilinear surface, by Gauss's rule of 7 x 7 points: exact for
-/// polynomials of degree 13 along each side.
-double water_in_cell(const Lattice& lattice, std::size_t cell) {
+/// Over 0 < s, t < 1, by Gauss's rule of 7 x 7 points: exact for polynomials of degree 13 along each side.
+template <class Integrand>
+double integral_over_square(const Integrand& integrand) {
   using Gauss = boost::math::quadrature::gauss<double, 7>;
+  return Gauss::integrate(
+      [&](double t) { return Gauss::integrate([&](double s) { return integrand(s, t); }, 0.0, 1.0); }, 0.0, 1.0);
+}
+
+/// int (z - b) dA over a cell with straight sides and the bilinear surface.
+double water_in_cell(const Lattice& lattice, std::size_t cell) {
   const auto corners = lattice.shape.corners(cell);
   const auto mapped = [&](const std::vector<double>& v, double s, double t) {
     return (1 - s) * (1 - t) * v[corners[0]] + s * (1 - t) * v[corners[1]] + s * t * v[corners[2]] +
@@ -37,13 +44,11 @@ double water_in_cell(const Lattice& lattice, std::size_t cell) {
   const auto along_t = [&](const std::vector<double>& v, double s) {
     return (1 - s) * (v[corners[3]] - v[corners[0]]) + s * (v[corners[2]] - v[corners[1]]);
   };
-  const auto integrand = [&](double s, double t) {
+  return integral_over_square([&](double s, double t) {
     const double area = along_s(lattice.x, t) * along_t(lattice.y, s) - along_s(lattice.y, t) * along_t(lattice.x, s);
     const double bed = lattice.bottom->slope(mapped(lattice.x, s, t), mapped(lattice.y, s, t)).elevation;
     return area * (mapped(lattice.z, s, t) - bed);
-  };
-  return Gauss::integrate(
-      [&](double t) { return Gauss::integrate([&](double s) { return integrand(s, t); }, 0.0, 1.0); }, 0.0, 1.0);
+  });
 }
 
 /// A bowl -1 + (x/10)^2 + (y/12)^2 - x y/200.
@@ -65,18 +70,10 @@ Lattice slanted_lattice() {
 }
 
 /// The unit normal of the bottom below node k.
-std::array<double, 3> normal_at(const PlanBottom& bottom, std::span<const double> q, std::size_t k) {
+Vector3 normal_at(const PlanBottom& bottom, std::span<const double> q, std::size_t k) {
   const auto b = bottom.slope(q[k], q[q.size() / 3 + k]);
   const double length = std::sqrt(1 + b.along_x * b.along_x + b.along_y * b.along_y);
   return {-b.along_x / length, -b.along_y / length, 1 / length};
-}
-
-double dot(const std::array<double, 3>& a, const std::array<double, 3>& b) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-std::array<double, 3> cross(const std::array<double, 3>& a, const std::array<double, 3>& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
 TEST_CASE("volumes of cells of the 2DH model are the water between surface and bottom", "[manufactured]") {
@@ -84,7 +81,7 @@ TEST_CASE("volumes of cells of the 2DH model are the water between surface and b
               "Volumes are integrals around the cells, by Gauss's rule of three points on each side, exact for bottoms "
               "of degree four. They are compared with integrals over the cells, by products of rules of seven points. "
               "8 x 8 cells perturbed at random from a rectangle.",
-              source);
+              "Frank, Discrete models of incompressible fluid (1994), chapters 3 and 4");
   Lattice lattice = jittered(rectangular_lattice({.end = 8,
                                                   .north = 8,
                                                   .columns = 8,
@@ -132,10 +129,8 @@ TEST_CASE("a step over an uneven bottom transfers velocities without a change of
   const PlanBottom& bottom = *model.lattice().bottom;
   Worst normal_part, axis_part, length, wall_energy, through_wall;
   for (std::size_t k = 0; k < n; ++k) {
-    const auto from = normal_at(bottom, state.q, k);
-    const auto to = normal_at(bottom, moved, k);
-    const std::array u{before[k], before[n + k], before[2 * n + k]};
-    const std::array v{after[k], after[n + k], after[2 * n + k]};
+    const auto from = normal_at(bottom, state.q, k), to = normal_at(bottom, moved, k);
+    const Vector3 u{before[k], before[n + k], before[2 * n + k]}, v{after[k], after[n + k], after[2 * n + k]};
     if (k > columns) {
       const auto axis = cross(from, to);
       normal_part.add(dot(v, to) - dot(u, from));
@@ -143,21 +138,17 @@ TEST_CASE("a step over an uneven bottom transfers velocities without a change of
       length.add(dot(v, v) - dot(u, u));
     } else {
       const double less = 1 - model.settings().inertia;
-      const auto energy = [&](const std::array<double, 3>& w, const std::array<double, 3>& normal) {
-        return dot(w, w) - less * dot(w, normal) * dot(w, normal);
-      };
+      const auto energy = [&](Vector3 w, Vector3 normal) { return dot(w, w) - less * dot(w, normal) * dot(w, normal); };
       wall_energy.add(energy(v, to) - energy(u, from));
-      through_wall.add(v[1] - 0.5 * v[0]);
+      through_wall.add(v.y - 0.5 * v.x);
     }
   }
-  const auto claim = [&](const std::string& text, double value) {
-    check.holds(text, {value}, Roundoff{60, 3, "some sixty operations on squares that add up to 3"});
-  };
-  claim("The velocity normal to the bed is preserved.", normal_part.value());
-  claim("The velocity along the rotation axis is preserved.", axis_part.value());
-  claim("The magnitude of the carried velocity is conserved.", length.value());
-  claim("The energy at a slanted wall is conserved.", wall_energy.value());
-  claim("The velocity component through the wall is zero.", through_wall.value());
+  all_hold(check, Roundoff{60, 3, "some sixty operations on squares that add up to 3"},
+           {{"The velocity normal to the bed is preserved.", normal_part.value()},
+            {"The velocity along the rotation axis is preserved.", axis_part.value()},
+            {"The magnitude of the carried velocity is conserved.", length.value()},
+            {"The energy at a slanted wall is conserved.", wall_energy.value()},
+            {"The velocity component through the wall is zero.", through_wall.value()}});
 }
 
 TEST_CASE("nodes on a shore have the mass of a sixth of their cells", "[manufactured]") {
@@ -169,19 +160,15 @@ TEST_CASE("nodes on a shore have the mass of a sixth of their cells", "[manufact
   lattice.bottom = polynomial_bottom({{.coefficient = -1}, {.coefficient = 0.01, .x_power = 2}});
   lattice.sides.west = lattice.sides.east = plan_lattice::ShoreSide{};
   const Model model(lattice);
-  Worst worst;
-  for (std::size_t j = 0; j <= 2; ++j) {
-    for (std::size_t i = 0; i <= 6; ++i) {
-      double mass = 0;
-      for (std::size_t cell = 0; cell < lattice.shape.cells(); ++cell) {
-        const auto corners = lattice.shape.corners(cell);
-        const bool has = std::find(corners.begin(), corners.end(), lattice.shape.node(i, j)) != corners.end();
-        if (has) mass += model.first_volumes()[cell] * (i == 0 || i == 6 ? 1.0 / 6 : 1.0 / 4);
-      }
-      worst.add(model.node_masses()[lattice.shape.node(i, j)] - mass);
+  std::vector<double> masses(lattice.shape.nodes(), 0.0);
+  for (std::size_t cell = 0; cell < lattice.shape.cells(); ++cell) {
+    for (const std::size_t k : lattice.shape.corners(cell)) {
+      const bool on_shore = k % 7 % 6 == 0;
+      masses[k] += model.first_volumes()[cell] * (on_shore ? 1.0 / 6 : 1.0 / 4);
     }
   }
-  check.that("share", "Masses are the shares of the cells around.", "largest difference of a mass", {worst.value()},
+  check.that("share", "Masses are the shares of the cells around.", "largest difference of a mass",
+             {largest_difference(mechanics::Input(masses), model.node_masses())},
              Roundoff{8, 4, "four products added, of volumes up to 4"});
 }
 
@@ -198,12 +185,7 @@ TEST_CASE("the bottom's energy under a moving shoreline", "[manufactured]") {
     lattice.sides.east = plan_lattice::ShoreSide{};
     return lattice;
   };
-  const auto places = [](const Lattice& lattice) {
-    std::vector<double> q = lattice.x;
-    q.insert(q.end(), lattice.y.begin(), lattice.y.end());
-    q.insert(q.end(), lattice.z.begin(), lattice.z.end());
-    return q;
-  };
+  const auto places = [](const Lattice& lattice) { return lattice::joined({lattice.x, lattice.y, lattice.z}); };
   const Roundoff rounding{.operations = 60, .scale = 4, .reason = "sums of some sixty products, of terms up to 4"};
 
   const double slope = 0.4, way = 1.5;
@@ -227,7 +209,6 @@ TEST_CASE("the bottom's energy under a moving shoreline", "[manufactured]") {
     moved[curved.shape.node(3, j)] += ways[j].x;
     moved[nodes + curved.shape.node(3, j)] += ways[j].y;
   }
-  using Gauss = boost::math::quadrature::gauss<double, 7>;
   double exact = 0;
   for (std::size_t j = 0; j < 2; ++j) {
     const auto marker = [&](std::size_t row, double s) {
@@ -235,14 +216,12 @@ TEST_CASE("the bottom's energy under a moving shoreline", "[manufactured]") {
       return Point{first[k] + s * ways[row].x, first[nodes + k] + s * ways[row].y};
     };
     const auto bed = [&](Point at) { return curved.bottom->slope(at.x, at.y).elevation; };
-    const auto integrand = [&](double s, double t) {
+    exact += integral_over_square([&](double t, double s) {
       const Point p = marker(j, s), r = marker(j + 1, s);
       const double b = (1 - t) * bed(p) + t * bed(r);
       const Point sweep{(1 - t) * ways[j].x + t * ways[j + 1].x, (1 - t) * ways[j].y + t * ways[j + 1].y};
       return 0.5 * b * b * (sweep.x * (r.y - p.y) - sweep.y * (r.x - p.x));
-    };
-    exact += Gauss::integrate(
-        [&](double s) { return Gauss::integrate([&](double t) { return integrand(s, t); }, 0.0, 1.0); }, 0.0, 1.0);
+    });
   }
   check.from("shoreline.hpp")
       .that("bowl", "The moment is the integral over both parameters; Gauss's three points are exact for a bowl.",
@@ -267,30 +246,24 @@ TEST_CASE("a moving window appends still water of its own depth", "[manufactured
     Lattice lattice = rectangular_lattice(
         {.end = 4, .north = 3, .columns = 4, .rows = 3, .sides = {.west = plan_lattice::HeldSide{}}, .depth = 2});
     for (double& x : lattice.x) x *= 1 + 0.1 * x;
-    if (inclined) {
-      lattice.bottom = polynomial_bottom({{.coefficient = -2}, {.coefficient = 0.1, .x_power = 1}});
-    }
+    if (inclined) lattice.bottom = polynomial_bottom({{.coefficient = -2}, {.coefficient = 0.1, .x_power = 1}});
     const double east = lattice.x[4];
     const double width = lattice.x[4] - lattice.x[3];
     const double depth = inclined ? 2 - 0.1 * (east + 0.5 * width) : 2;
     Model model(std::move(lattice));
     mechanics::State state = model.state();
     model.shift_east(state);
-    Worst volume, defect;
+    const auto volumes = model.first_volumes();
+    Worst volume;
+    for (std::size_t j = 0; j < 3; ++j) volume.add(volumes[4 * j + 3] - width * depth);
     std::vector<double> values(model.constraints());
     model.constraint_values(state.q, values);
-    for (std::size_t j = 0; j < 3; ++j) volume.add(model.first_volumes()[4 * j + 3] - width * depth);
-    for (const double value : values) defect.add(value);
-    double water = 0;
-    for (const double v : model.first_volumes()) water += v;
-    const std::string where = inclined ? "inclined" : "level";
-    const auto claim = [&](const std::string& text, double value) {
-      check.holds(where + "-" + text, {value},
-                  Roundoff{60, 20, "volumes from positions up to 7 deep and wide, in some sixty operations"});
-    };
-    claim("A new cell holds its width times the depth in its middle.", volume.value());
-    claim("The shifted state meets its constraints.", defect.value());
-    claim("The masses of the nodes are the water of the cells.", model.mass() - water);
+    const double water = std::accumulate(volumes.begin(), volumes.end(), 0.0);
+    const std::string where = inclined ? "inclined-" : "level-";
+    all_hold(check, Roundoff{60, 20, "volumes from positions up to 7 deep and wide, in some sixty operations"},
+             {{where + "A new cell holds its width times the depth in its middle.", volume.value()},
+              {where + "The shifted state meets its constraints.", worst(values)},
+              {where + "The masses of the nodes are the water of the cells.", model.mass() - water}});
   }
 }
 

@@ -4,7 +4,10 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "seiche/models/dispersive_shallow_water_2d/model.hpp"
 #include "seiche/models/lagrangian_mesh_3d/flow.hpp"
@@ -20,7 +23,6 @@ using plan_lattice::Shape;
 namespace plan = dispersive_shallow_water_2d;
 namespace mesh = lagrangian_mesh_3d;
 
-const std::string source = "decomposition of the mesh; distributed/decomposition.hpp";
 constexpr Shape whole{8, 6};
 
 /// Cells from a first to before a last column and row: those that a block owns, and with a ring around them.
@@ -40,11 +42,14 @@ struct Block {
     if (north < whole.rows) sides.north = plan_lattice::FreeSide{};
     return sides;
   }
+  /// Of so many numbers in the block with its ring. @param more  1 for numbers at nodes, 0 for numbers of cells
+  [[nodiscard]] std::size_t levels(std::size_t more, std::size_t count) const {
+    return count / ((shape().columns + more) * (shape().rows + more));
+  }
   /// Calls visit(index in the block with its ring, index in the whole, owned) for nodes, or for cells, of all levels.
   template <class Visit>
   void each(std::size_t more, std::size_t levels, const Visit& visit) const {
-    const std::size_t columns = shape().columns + more;
-    const std::size_t rows = shape().rows + more;
+    const std::size_t columns = shape().columns + more, rows = shape().rows + more;
     for (std::size_t k = 0; k < columns * rows * levels; ++k) {
       const std::size_t i = first_column() + k % columns;
       const std::size_t j = first_row() + k / columns % rows;
@@ -146,8 +151,7 @@ class Exchange {
  private:
   template <class Visit>
   void visit(const Block& block, std::size_t count, const Visit& each) {
-    const Shape shape = block.shape();
-    const std::size_t levels = count / ((shape.columns + more_) * (shape.rows + more_));
+    const std::size_t levels = block.levels(more_, count);
     owned_.resize(levels * (whole.columns + more_) * (whole.rows + more_));
     block.each(more_, levels, each);
   }
@@ -158,25 +162,21 @@ class Exchange {
 /// The parts after a shift: owners' numbers to those who hold copies.
 template <class Model>
 void join(std::vector<Moved<Model>>& parts) {
-  using Numbers = std::function<std::vector<double>*(Moved<Model>&)>;
-  const std::vector<std::pair<std::size_t, Numbers>> kinds{
-      {1, [](Moved<Model>& part) { return &part.state.q; }},
-      {1, [](Moved<Model>& part) { return &part.state.u; }},
-      {0, [](Moved<Model>& part) { return &part.state.multipliers; }}};
-  for (const auto& [more, numbers] : kinds) {
+  using mechanics::State;
+  for (const auto& [more, numbers] : {std::pair{std::size_t{1}, &State::q}, {1, &State::u}, {0, &State::multipliers}}) {
     Exchange exchange(more);
-    for (std::size_t b = 0; b < parts.size(); ++b) exchange.take(blocks[b], *numbers(parts[b]));
-    for (std::size_t b = 0; b < parts.size(); ++b) exchange.give(blocks[b], *numbers(parts[b]));
+    for (std::size_t b = 0; b < parts.size(); ++b) exchange.take(blocks[b], parts[b].state.*numbers);
+    for (std::size_t b = 0; b < parts.size(); ++b) exchange.give(blocks[b], parts[b].state.*numbers);
   }
   Exchange of_nodes(1), of_cells(0);
-  for (std::size_t b = 0; b < parts.size(); ++b) {
-    parts[b].model->join_shift([&](std::span<double> values) { of_nodes.take(blocks[b], values); },
-                               [&](std::span<double> values) { of_cells.take(blocks[b], values); });
-  }
-  for (std::size_t b = 0; b < parts.size(); ++b) {
-    parts[b].model->join_shift([&](std::span<double> values) { of_nodes.give(blocks[b], values); },
-                               [&](std::span<double> values) { of_cells.give(blocks[b], values); });
-  }
+  const auto join_all = [&](auto move) {
+    for (std::size_t b = 0; b < parts.size(); ++b) {
+      parts[b].model->join_shift([&](std::span<double> values) { (of_nodes.*move)(blocks[b], values); },
+                                 [&](std::span<double> values) { (of_cells.*move)(blocks[b], values); });
+    }
+  };
+  join_all(&Exchange::take);
+  join_all(&Exchange::give);
 }
 
 template <class Model, class Lattice>
@@ -200,34 +200,33 @@ void shift_blocks(Check& check, const std::string& id, const std::string& text, 
   Worst state, first, volume, mass;
   for (std::size_t b = 0; b < parts.size(); ++b) {
     const Block& block = blocks[b];
-    const auto compare = [&](std::size_t more, std::span<const double> of_part, std::span<const double> of_all,
-                             Worst& worst, const std::function<bool(std::size_t there)>& counts) {
-      const Shape shape = block.shape();
-      const std::size_t levels = of_part.size() / ((shape.columns + more) * (shape.rows + more));
-      block.each(more, levels, [&](std::size_t here, std::size_t there, bool) {
-        if (!counts || counts(there)) worst.add(of_part[here] - of_all[there]);
+    const auto compare = [&](
+                             std::size_t more, std::span<const double> of_part, std::span<const double> of_all,
+                             Worst& worst,
+                             const std::function<bool(std::size_t there)>& counts = [](std::size_t) { return true; }) {
+      block.each(more, block.levels(more, of_part.size()), [&](std::size_t here, std::size_t there, bool) {
+        if (counts(there)) worst.add(of_part[here] - of_all[there]);
       });
     };
-    compare(1, parts[b].state.q, all.state.q, state, {});
-    compare(1, parts[b].state.u, all.state.u, state, {});
-    compare(0, parts[b].state.multipliers, all.state.multipliers, state, {});
-    compare(1, first_x(*parts[b].model), first_x(*all.model), first, {});
-    compare(0, parts[b].model->first_volumes(), all.model->first_volumes(), volume, {});
+    compare(1, parts[b].state.q, all.state.q, state);
+    compare(1, parts[b].state.u, all.state.u, state);
+    compare(0, parts[b].state.multipliers, all.state.multipliers, state);
+    compare(1, first_x(*parts[b].model), first_x(*all.model), first);
+    compare(0, parts[b].model->first_volumes(), all.model->first_volumes(), volume);
     compare(1, masses(*parts[b].model), masses(*all.model), mass, [&](std::size_t node) {
       const std::size_t i = node % (whole.columns + 1);
       const std::size_t j = node / (whole.columns + 1) % (whole.rows + 1);
       return i >= block.west && i <= block.east && j >= block.south && j <= block.north;
     });
   }
-  const Roundoff rounding{
-      .operations = 60, .scale = 10, .reason = "positions up to 12 and volumes of one, in some sixty operations"};
-  const auto claim = [&](const std::string& of, const std::string& what, const Worst& worst) {
-    check.holds(id + "-" + of + ": " + text + ": " + what, {worst.value()}, rounding);
-  };
-  claim("state", "positions, velocities and multipliers agree with the whole, copies too.", state);
-  claim("first", "first positions, which masses and new columns come from, likewise.", first);
-  claim("volumes", "volumes of cells likewise.", volume);
-  claim("masses", "masses of the nodes around a block's own cells, which their coefficients need, likewise.", mass);
+  for (const auto& [of, what, worst] :
+       {std::tuple{"state", "positions, velocities and multipliers agree with the whole, copies too.", state},
+        {"first", "first positions, which masses and new columns come from, likewise.", first},
+        {"volumes", "volumes of cells likewise.", volume},
+        {"masses", "masses of the nodes around a block's own cells, which their coefficients need, likewise.", mass}}) {
+    check.holds(fmt::format("{}-{}: {}: {}", id, of, text, what), {worst.value()},
+                Roundoff{60, 10, "positions up to 12 and volumes of one, in some sixty operations"});
+  }
 }
 
 TEST_CASE("blocks of a mesh are shifted by a window as the whole is", "[manufactured]") {
@@ -246,7 +245,7 @@ TEST_CASE("the potential energies of blocks add up to the energy of the whole", 
               "Water in a canal between two shorelines, with improved dispersion, moved from its first positions. Each "
               "block counts the cells that it owns: their surfaces, the edges of the shore beside them, the slopes of "
               "their surfaces.",
-              source);
+              "decomposition of the mesh; distributed/decomposition.hpp");
   const auto bottom = polynomial_bottom({{.coefficient = -1}, {.coefficient = 1.0 / 16, .x_power = 2}});
   plan::Lattice lattice =
       plan::rectangular_lattice({.begin = -4,

@@ -5,6 +5,7 @@
 #include <tuple>
 #include <vector>
 
+#include <fmt/format.h>
 #include <boost/math/quadrature/gauss.hpp>
 
 #include "seiche/models/wcsph/kernel.hpp"
@@ -12,29 +13,32 @@
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
 #include "verification/lattice_sums.hpp"
+#include "verification/manufactured/all_hold.hpp"
 
 namespace seiche::verification::wcsph_kernel_test {
 
 using namespace wcsph;
 
-/// int q^power W dA with q = r/h: a polynomial of degree at most 10 on either side of q = 1.
-template <class Kernel>
-double moment(double h, int power) {
-  const auto ring = [&](double q) {
-    return 2 * std::numbers::pi * q * std::pow(q, power) * h * h * weight<Kernel>(q * h, h);
-  };
+/// Of a polynomial of degree at most 10 on either side of q = 1, up to q = 2.
+template <class Ring>
+double over_support(const Ring& ring) {
   using Gauss = boost::math::quadrature::gauss<double, 15>;
   return Gauss::integrate(ring, 0.0, 1.0) + Gauss::integrate(ring, 1.0, 2.0);
+}
+
+/// int q^power W dA with q = r/h.
+template <class Kernel>
+double moment(double h, int power) {
+  return over_support(
+      [&](double q) { return 2 * std::numbers::pi * q * std::pow(q, power) * h * h * weight<Kernel>(q * h, h); });
 }
 
 /// The same with -r/2 dW/dr in place of W: integration by parts turns it into (power + 2)/2 times the moment.
 template <class Kernel>
 double slope_moment(double h, int power) {
-  const auto ring = [&](double q) {
+  return over_support([&](double q) {
     return -0.5 * 2 * std::numbers::pi * q * std::pow(q, power) * h * h * q * h * radial_slope<Kernel>(q * h, h);
-  };
-  using Gauss = boost::math::quadrature::gauss<double, 15>;
-  return Gauss::integrate(ring, 0.0, 1.0) + Gauss::integrate(ring, 1.0, 2.0);
+  });
 }
 
 template <class Kernel>
@@ -42,25 +46,24 @@ void check_moments(Check& check, const std::string& id, const std::string& name,
   const double h = 0.0148;
   for (int power = 0; power <= 4; power += 2) {
     const double expected = exact[static_cast<std::size_t>(power / 2)];
-    const Roundoff limit{.operations = 40,
-                         .scale = 1,
-                         .reason =
-                             "30 partial sums of up to 1 and some 10 roundings of factors that all points share; "
-                             "roundings of single points average out",
-                         .expected = expected};
-    const std::string q = power == 0 ? "1" : "q^" + std::to_string(power);
-    check.holds(id + "-moment-" + std::to_string(power) + ": The " + name + " has the moment of " + q +
-                    " that integration gives.",
-                {moment<Kernel>(h, power)}, limit);
-    check.holds(id + "-slope-moment-" + std::to_string(power) + ": The slope of the " + name +
-                    " is the derivative of its value, under the integral.",
-                {slope_moment<Kernel>(h, power) * 2 / (power + 2)}, limit);
+    const std::string q = power == 0 ? "1" : fmt::format("q^{}", power);
+    all_hold(check,
+             Roundoff{40, 1,
+                      "30 partial sums of up to 1 and some 10 roundings of factors that all points share; roundings of "
+                      "single points average out"},
+             {{fmt::format("{}-moment-{}: The {} has the moment of {} that integration gives.", id, power, name, q),
+               moment<Kernel>(h, power), expected},
+              {fmt::format("{}-slope-moment-{}: The slope of the {} is the derivative of its value, under the "
+                           "integral.",
+                           id, power, name),
+               slope_moment<Kernel>(h, power) * 2 / (power + 2), expected}});
   }
 }
 
+/// Sums of a lattice, and the reference's.
 struct LatticeRow {
   std::string id, name;
-  verification::LatticeSums sums;
+  LatticeSums sums;
   double zeroth, first;
   int neighbours;
 };
@@ -76,26 +79,25 @@ TEST_CASE("kernels have their moments, and their sums over lattices", "[manufact
   check_moments<WendlandC2>(check, "wendland", "Wendland kernel", {1, 5.0 / 9, 56.0 / 99});
   const double h = 0.0148;
   const double top = 10 / (7 * std::numbers::pi * h * h);
-  const Roundoff five{.operations = 5, .scale = top, .reason = "5 rounded operations on W(0)"};
+  const std::string five = "5 rounded operations on W(0)";
   check.from(cubic_source)
       .that("cubic-top", "The cubic spline has W(0) = 10/(7 pi h^2).", "W(0) [1/m^2]", {weight<CubicSpline>(0, h)},
-            Roundoff{5, top, five.reason, top});
+            Roundoff{5, top, five, top});
   check.from(cubic_source)
       .that("cubic-h", "The cubic spline has W(h) = 5/(14 pi h^2).", "W(h) [1/m^2]", {weight<CubicSpline>(h, h)},
-            Roundoff{5, top, five.reason, 0.25 * top});
+            Roundoff{5, top, five, 0.25 * top});
   CHECK(weight<CubicSpline>(2 * h, h) == 0);
   CHECK(weight<WendlandC2>(2.5 * h, h) == 0);
   CHECK(radial_slope<WendlandC2>(2.5 * h, h) == 0);
 
-  constexpr auto square = Arrangement::square;
   const std::vector<LatticeRow> rows{
-      {"cubic-1.0", "cubic spline, h/dx = 1.0", lattice_sums<CubicSpline>(1.0, square), 1.000862, 1.013099, 8},
-      {"cubic-1.2", "cubic spline, h/dx = 1.2", lattice_sums<CubicSpline>(1.2, square), 0.999757, 0.990793, 20},
-      {"cubic-1.3", "cubic spline, h/dx = 1.3", lattice_sums<CubicSpline>(1.3, square), 0.999947, 1.010543, 20},
-      {"cubic-1.5", "cubic spline, h/dx = 1.5", lattice_sums<CubicSpline>(1.5, square), 1.003440, 1.006725, 24},
-      {"cubic-2.0", "cubic spline, h/dx = 2.0", lattice_sums<CubicSpline>(2.0, square), 0.999958, 0.999100, 44},
-      {"wendland-1.3", "Wendland, h/dx = 1.3", lattice_sums<WendlandC2>(1.3, square), 1.010473, 0.973921, 20},
-      {"wendland-2.0", "Wendland, h/dx = 2.0", lattice_sums<WendlandC2>(2.0, square), 1.001206, 0.999199, 44},
+      {"cubic-1_0", "cubic spline, h/dx = 1.0", lattice_sums<CubicSpline>(1.0), 1.000862, 1.013099, 8},
+      {"cubic-1_2", "cubic spline, h/dx = 1.2", lattice_sums<CubicSpline>(1.2), 0.999757, 0.990793, 20},
+      {"cubic-1_3", "cubic spline, h/dx = 1.3", lattice_sums<CubicSpline>(1.3), 0.999947, 1.010543, 20},
+      {"cubic-1_5", "cubic spline, h/dx = 1.5", lattice_sums<CubicSpline>(1.5), 1.003440, 1.006725, 24},
+      {"cubic-2_0", "cubic spline, h/dx = 2.0", lattice_sums<CubicSpline>(2.0), 0.999958, 0.999100, 44},
+      {"wendland-1_3", "Wendland, h/dx = 1.3", lattice_sums<WendlandC2>(1.3), 1.010473, 0.973921, 20},
+      {"wendland-2_0", "Wendland, h/dx = 2.0", lattice_sums<WendlandC2>(2.0), 1.001206, 0.999199, 44},
       {"cubic-body-centred", "cubic spline, h/dx = 1.3, body-centred",
        lattice_sums<CubicSpline>(1.3, Arrangement::body_centred), 1.000509, 0.994034, 44}};
   evidence::Table table{.id = "lattices",
@@ -103,41 +105,39 @@ TEST_CASE("kernels have their moments, and their sums over lattices", "[manufact
                         .caption = "M differs from 1 by up to 3 % and does not depend on the spacing.",
                         .columns = {{"kernel, lattice", ""}, {"sum V W", "1"}, {"M", "1"}, {"neighbours", "1"}}};
   for (const LatticeRow& row : rows) {
-    std::string id = row.id;
-    std::replace(id.begin(), id.end(), '.', '_');
-    for (const auto& [what, sum, printed] :
-         {std::tuple{"sum of V W", row.sums.zeroth, row.zeroth}, {"derivative factor M", row.sums.first, row.first}}) {
-      check.holds(id + ": The " + what + " has every digit of the reference (" + row.name + ").", {sum},
-                  Bound{0.5e-6, "half a unit of the last printed digit", printed});
-    }
+    const auto digits = [&](const std::string& what) {
+      return fmt::format("{}: The {} has every digit of the reference ({}).", row.id, what, row.name);
+    };
+    all_hold(check, Bound{0.5e-6, "half a unit of the last printed digit"},
+             {{digits("sum of V W"), row.sums.zeroth, row.zeroth},
+              {digits("derivative factor M"), row.sums.first, row.first}});
     CHECK(row.sums.neighbours == row.neighbours);
     table.rows.push_back({row.name, row.sums.zeroth, row.sums.first, static_cast<double>(row.sums.neighbours)});
   }
   check.table(std::move(table));
 
-  std::vector<double> q, cubic, wendland, cubic_slope, wendland_slope;
-  for (double r = 0; r <= 2.2; r += 0.02) {
-    q.push_back(r);
-    cubic.push_back(weight<CubicSpline>(r, 1));
-    wendland.push_back(weight<WendlandC2>(r, 1));
-    cubic_slope.push_back(radial_slope<CubicSpline>(r, 1));
-    wendland_slope.push_back(radial_slope<WendlandC2>(r, 1));
-  }
+  std::vector<double> q;
+  for (double r = 0; r <= 2.2; r += 0.02) q.push_back(r);
+  const auto draw = [&](evidence::Panel& panel, double (*cubic)(double r, double h),
+                        double (*wendland)(double, double)) {
+    const auto over_q = [&](double (*function)(double, double)) {
+      std::vector<double> values;
+      for (const double r : q) values.push_back(function(r, 1));
+      return values;
+    };
+    panel.line("cubic spline", q, over_q(cubic));
+    panel.line("Wendland C2", q, over_q(wendland), Role::peer);
+  };
   auto& figure = check.figure("kernels", "Smoothing kernels", "Value and slope for h = 1.");
-  auto& values = figure.panel({.x = "r/h", .y = "h^2 W"});
-  values.line("cubic spline", q, cubic);
-  values.line("Wendland C2", q, wendland, Role::peer);
-  auto& slopes = figure.panel({.x = "r/h", .y = "h^3 dW/dr"});
-  slopes.line("cubic spline", q, cubic_slope);
-  slopes.line("Wendland C2", q, wendland_slope, Role::peer);
+  draw(figure.panel({.x = "r/h", .y = "h^2 W"}), weight<CubicSpline>, weight<WendlandC2>);
+  draw(figure.panel({.x = "r/h", .y = "h^3 dW/dr"}), radial_slope<CubicSpline>, radial_slope<WendlandC2>);
 }
 
 TEST_CASE("pressure, sound speed and elastic energy of Tait's fluid belong together", "[manufactured]") {
-  const std::string source = "Batchelor, An introduction to fluid dynamics (1967), section 1.8";
   Check check("wcsph_tait", "Tait's equation of state",
               "Pressure and its inverse; $c^2 = dP/d\\rho$ and $de = P/\\rho^2\\,d\\rho$ through the mean over an "
-              "interval by quadrature; the pressure of still water.");
-  check.source(source);
+              "interval by quadrature; the pressure of still water.",
+              "Batchelor, An introduction to fluid dynamics (1967), section 1.8");
   const TaitFluid water(1000, 14.96);
   using Gauss = boost::math::quadrature::gauss<double, 15>;
   Worst inverse, sound, energy;

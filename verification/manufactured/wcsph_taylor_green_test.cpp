@@ -1,5 +1,6 @@
 // Decaying vortices between periodic boundaries: the laminar operator, and particle shifting.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -50,8 +51,7 @@ struct Run {
 /// Rate at which the laminar term makes the vortices decay where the particles stand on the square lattice, over
 /// 2 nu k^2: the sum of (4) over the neighbours, with the cubic spline and eta^2 = 0.01 h^2.
 double rate_on_lattice(std::size_t n, double smoothing) {
-  const double dx = 1 / static_cast<double>(n);
-  const double h = smoothing * dx;
+  const double dx = 1 / static_cast<double>(n), h = smoothing * dx;
   double sum = 0;
   const int reach = static_cast<int>(std::ceil(2 * smoothing));
   for (int i = -reach; i <= reach; ++i) {
@@ -81,8 +81,7 @@ Decay run(const Vortices& vortices, Run wanted) {
   Particles particles = lattice(wanted.n, wanted.n, dx, 1);
   jitter(particles, wanted.disorder * dx);
   for (std::size_t a = 0; a < particles.size(); ++a) {
-    const double x = particles.x[a];
-    const double z = particles.z[a];
+    const double x = particles.x[a], z = particles.z[a];
     particles.u[a] = Vortices::u(x, z);
     particles.w[a] = Vortices::w(x, z);
     particles.density[a] = fluid.density_at(Vortices::pressure(x, z));
@@ -94,8 +93,7 @@ Decay run(const Vortices& vortices, Run wanted) {
     const double exact = std::exp(-vortices.rate() * flow.time());
     const Particles& p = flow.particles();
     for (std::size_t a = 0; a < p.size(); ++a) {
-      const double u = Vortices::u(p.x[a], p.z[a]);
-      const double w = Vortices::w(p.x[a], p.z[a]);
+      const double u = Vortices::u(p.x[a], p.z[a]), w = Vortices::w(p.x[a], p.z[a]);
       projection += p.u[a] * u + p.w[a] * w;
       norm += u * u + w * w;
       square += p.u[a] * p.u[a] + p.w[a] * p.w[a];
@@ -116,6 +114,7 @@ Decay run(const Vortices& vortices, Run wanted) {
   return decay;
 }
 
+/// Three runs.
 void draw(Check& check, const std::string& caption, const Vortices& vortices,
           const std::vector<std::pair<std::string, Decay>>& runs) {
   auto& panel = check.figure("decay", "Decay of the vortices", caption)
@@ -126,24 +125,22 @@ void draw(Check& check, const std::string& caption, const Vortices& vortices,
     exact.push_back(std::exp(-2 * vortices.rate() * t));
   }
   panel.line("exact", scaled, exact, Role::exact);
-  const std::vector<Role> roles{Role::computed, Role::peer, Role::data, Role::guide};
-  for (std::size_t i = 0; i < runs.size(); ++i) panel.line(runs[i].first, scaled, runs[i].second.kinetic, roles[i % 4]);
+  constexpr std::array roles{Role::computed, Role::peer, Role::data};
+  for (std::size_t i = 0; i < runs.size(); ++i) panel.line(runs[i].first, scaled, runs[i].second.kinetic, roles[i]);
 }
 
 /// What the operator and what the strain of the lattice takes; N = 50 and 100.
 void judge_trace(Check& check, const Vortices& vortices, const Decay& coarse, const Decay& fine) {
   const double rate = vortices.rate();
   constexpr double early = 0.05;
-  const auto first = [&](const std::string& id, std::size_t n, const Decay& decay) {
+  for (const auto& [n, decay] : {std::pair{50, coarse}, {100, fine}}) {
     check.holds(
-        id + "-first: " +
-            fmt::format("The initial decay rate agrees with the operator on the regular arrangement (N = {}).", n),
+        fmt::format("n{}-first: The initial decay rate agrees with the operator on the regular arrangement (N = {}).",
+                    n, n),
         {decay.rate_over(rate, early)},
         Bound{std::pow(k * early / rate, 2),
               "the strain of the lattice by then, k U t, squared: its sign does not matter", rate_on_lattice(n, 1.3)});
-  };
-  first("n50", 50, coarse);
-  first("n100", 100, fine);
+  }
   const auto loss = [&](const Decay& decay, std::size_t n, double smoothing) {
     return rate_on_lattice(n, smoothing) - decay.rate_over(rate);
   };
@@ -168,18 +165,12 @@ TEST_CASE("laminar viscosity makes vortices decay at the right rate", "[manufact
               "the second derivative 1 % too small: in the mean over the decay time, at any spacing, because the "
               "strain does not depend on the spacing. With a wider kernel the deficit vanishes.");
   const Vortices vortices{0.1};
-  struct Row {
-    std::string id, name;
-    Run run;
-  };
-  const std::vector<Row> rows{
-      {"n50", "N = 50", {50}}, {"n50-disordered", "N = 50, disorder 0.1 dx", {50, 0.1}}, {"n100", "N = 100", {100}}};
   std::vector<std::pair<std::string, Decay>> runs;
-  for (const Row& row : rows) {
-    const Decay decay = run(vortices, row.run);
-    check.holds(fmt::format("The velocity field agrees with the vortices ({}).", row.name), {decay.velocity_error},
+  for (const auto& [name, wanted] :
+       {std::pair{"N = 50", Run{50}}, {"N = 50, disorder 0.1 dx", Run{50, 0.1}}, {"N = 100", Run{100}}}) {
+    const Decay& decay = runs.emplace_back(name, run(vortices, wanted)).second;
+    check.holds(fmt::format("The velocity field agrees with the vortices ({}).", name), {decay.velocity_error},
                 Bound{0.02, "the 1 % by which the strained lattice decays too slowly, twice for the start"});
-    runs.emplace_back(row.name, decay);
   }
   judge_trace(check, vortices, runs.front().second, runs.back().second);
   draw(check, "Reynolds number 10: kinetic energy of particles.", vortices, runs);
@@ -191,10 +182,9 @@ TEST_CASE("particle shifting preserves vortices at a Reynolds number where the p
               "At Re = 100 the flow lines up particles along the stagnation streamlines and the lattice breaks: the "
               "plain scheme loses its energy too fast, with the cubic spline several times too fast. Shifting against "
               "the gradient of concentration keeps the particles uniform. Wendland kernel, h = 2 dx, N = 40.");
-  const std::string shifting =
+  check.source(
       "Lind, Xu, Stansby and Rogers, J. Comput. Phys. 231 (2012) 1499; Sun, Colagrossi, Marrone and Zhang, Comput. "
-      "Methods Appl. Mech. Eng. 315 (2017) 25";
-  check.source(shifting);
+      "Methods Appl. Mech. Eng. 315 (2017) 25");
   const Vortices vortices{0.01};
   const Settings wide{.kernel = KernelName::wendland_c2, .smoothing = 2};
   Settings moved = wide;

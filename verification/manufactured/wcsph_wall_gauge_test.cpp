@@ -15,7 +15,6 @@ using namespace wcsph;
 constexpr double gravity = 9.81;
 constexpr double depth = 0.5;
 constexpr double wall_x = 1;
-const std::string source = "Shepard, Proc. 23rd ACM National Conference (1968) 517";
 
 Settings water(double felt) {
   return {.kernel = KernelName::wendland_c2,
@@ -44,46 +43,44 @@ TEST_CASE("a gauge in a wall reads hydrostatic pressure, and the pressure of the
               "symmetry of the lattice its mean equals the value at the middle, to round-off. A pressure linear "
               "towards the wall: the reading belongs to the centroid of the weights; halving the spacing halves the "
               "error. Without water the pressure is zero.",
-              source);
+              "Shepard, Proc. 23rd ACM National Conference (1968) 517");
   const double spacing = 0.025;
   const double diameter = 0.02;
+  const auto pressure = [](const Flow& flow, double z, double across) {
+    return pressure_on({.x = wall_x, .z = z, .diameter = across}, flow);
+  };
   const Settings still = water(gravity);
-  {
-    const Flow flow(tank({.width = wall_x, .depth = depth, .spacing = spacing}, still).particles, spacing, still);
-    for (const double z : {0.01, 0.1, 0.25}) {
-      const double expected = 1000 * gravity * (depth - z);
-      check.holds(fmt::format("hydrostatic-{:.0f}", 100 * z) + ": The gauge reads the pressure of its depth.",
-                  {pressure_on({.x = wall_x, .z = z, .diameter = diameter}, flow)},
-                  Bound{1000 * gravity * 2 * flow.smoothing_length() * gravity * depth / (40 * 40.0),
-                        "densities are up to rho_0 (1 + g H/c_0^2): so much more weight over the support", expected});
-    }
-    CHECK(pressure_on({.x = wall_x, .z = 0.9, .diameter = diameter}, flow) == 0);
-    CHECK_THROWS_AS(pressure_on({.x = wall_x, .z = 0.1, .diameter = -1}, flow), std::invalid_argument);
+  const Flow flow(tank({.width = wall_x, .depth = depth, .spacing = spacing}, still).particles, spacing, still);
+  for (const double z : {0.01, 0.1, 0.25}) {
+    check.holds(fmt::format("hydrostatic-{:.0f}: The gauge reads the pressure of its depth.", 100 * z),
+                {pressure(flow, z, diameter)},
+                Bound{1000 * gravity * 2 * flow.smoothing_length() * gravity * depth / (40 * 40.0),
+                      "densities are up to rho_0 (1 + g H/c_0^2): so much more weight over the support",
+                      1000 * gravity * (depth - z)});
   }
+  CHECK(pressure(flow, 0.9, diameter) == 0);
+  CHECK_THROWS_AS(pressure(flow, 0.1, -1), std::invalid_argument);
   const Flow along = with_pressure(spacing, water(0), 2000, 0);
   check.that("along",
              "A pressure that is linear along the wall is read in the middle of the face within P/(rho c^2) over the "
              "support, 2 h.",
-             "pressure [Pa]", {pressure_on({.x = wall_x, .z = depth / 2, .diameter = diameter}, along)},
+             "pressure [Pa]", {pressure(along, depth / 2, diameter)},
              Bound{2000 * 2 * 2 * spacing * 5000 / (1000 * 1600.0),
                    "volumes m/rho differ by P/(rho_0 c_0^2), 5000 of 1.6e6, over the support", 5000});
-  double errors[2];
-  for (int halving = 0; halving < 2; ++halving) {
-    const double dx = spacing / (1 << halving);
-    const Flow flow = with_pressure(dx, water(0), 0, 4000);
-    errors[halving] = pressure_on({.x = wall_x, .z = depth / 2, .diameter = diameter / (1 << halving)}, flow) - 5000;
-  }
+  const auto error = [&](int parts) {
+    return pressure(with_pressure(spacing / parts, water(0), 0, 4000), depth / 2, diameter / parts) - 5000;
+  };
   check.that(
       "normal",
       "A pressure that rises towards the wall is read at the centre of the weights, -0.424, within 0.02 of its "
       "gradient.",
-      "error over its gradient times h", {errors[0] / (4000 * 2 * spacing)},
+      "error over its gradient times h", {error(1) / (4000 * 2 * spacing)},
       Bound{0.02,
             "-0.424: the centre of half of the kernel, 2/pi int w q^2 dq/int w q dq; rows of the lattice at h/4, 3h/4, "
             "... add (1/24)(dx/h)^2 W_1(0)/(1/2) = 0.016 to its distance, W_1 the kernel's integral along the wall",
             -0.424});
   check.that("order", "The error of the reading halves with the spacing.", "error over that with twice the spacing",
-             {errors[1] / errors[0]}, Bound{0.01, "volumes m/rho differ by up to 5000 Pa over 1.6e6 Pa", 0.5});
+             {error(2) / error(1)}, Bound{0.01, "volumes m/rho differ by up to 5000 Pa over 1.6e6 Pa", 0.5});
 }
 
 }  // namespace seiche::verification::wcsph_wall_gauge_test

@@ -22,15 +22,16 @@ using namespace seiche::dirichlet_mesh;
 using namespace seiche::free_lagrangian;
 using std::numbers::pi;
 
-/// Of a ring: a node and, by Euler, six neighbours.
-constexpr double members = 7;
-
 Mesh box(int n) {
   return jittered(layer_mesh({.end = 1, .columns = n, .rows = n}), 0.2, 1);
 }
 
 Point eddy(Point r) {
   return {std::sin(pi * r.x) * std::cos(pi * (r.y + 1)), -std::cos(pi * r.x) * std::sin(pi * (r.y + 1))};
+}
+
+void show_flips(benchmark::State& state, long flips) {
+  state.counters["flips"] = static_cast<double>(flips) / static_cast<double>(state.items_processed());
 }
 
 /// Moves by a tenth of the spacing, there and back: flips, areas and gradients.
@@ -52,10 +53,8 @@ void flips_and_geometry(benchmark::State& state) {
     cells.connect(mesh.mesh(), static_cast<int>(model.nodes()));
     cells.measure(mesh.mesh(), mesh.nodes());
   }
-  const double work = static_cast<double>(state.iterations()) * static_cast<double>(model.nodes());
-  state.SetItemsProcessed(static_cast<long>(work));
-  state.counters["flips"] = static_cast<double>(mesh.flips() - before) / work;
-  performance::show_not_counted(state, "branching");
+  performance::show_not_counted(state, model.nodes(), "branching");
+  show_flips(state, mesh.flips() - before);
 }
 
 /// What the flips save: all cells anew, by the sweep of a library. Whole numbers are what it computes with.
@@ -69,8 +68,7 @@ void rebuild(benchmark::State& state) {
     boost::polygon::construct_voronoi(points.begin(), points.end(), &diagram);
     benchmark::DoNotOptimize(diagram.num_vertices());
   }
-  state.SetItemsProcessed(state.iterations() * static_cast<long>(mesh.nodes()));
-  performance::show_not_counted(state, "branching");
+  performance::show_not_counted(state, mesh.nodes(), "branching");
 }
 
 /// Assembly, factor and everything else at a configuration that stays: no new pattern.
@@ -79,9 +77,8 @@ void linearisation(benchmark::State& state) {
   const mechanics::State start = model.state(eddy);
   model.linearise({}, start.q);
   for (auto _ : state) model.linearise({}, start.q);
-  state.SetItemsProcessed(state.iterations() * static_cast<long>(model.nodes()));
-  performance::show(state, performance::ring_factorisation(model.solver().factor_work(),
-                                                           static_cast<double>(model.nodes()), members));
+  performance::show(state, model.nodes(),
+                    performance::ring_pressures(model, model.nodes(), performance::triangulated, 0));
 }
 
 /// Whole steps that flip edges: cells along a side, threads. Counted are the pressures; flips
@@ -93,14 +90,9 @@ void steps(benchmark::State& state) {
   flow.advance(0.02 / n);  // the analysis
   const long before = flow.flips();
   for (auto _ : state) flow.advance(0.02 / n);
-  const double work = static_cast<double>(state.iterations()) * static_cast<double>(flow.model().nodes());
-  state.SetItemsProcessed(static_cast<long>(work));
-  state.counters["flips"] = static_cast<double>(flow.flips() - before) / work;
-  const linear::RingSolver& solver = flow.model().solver();
-  const auto nodes = static_cast<double>(flow.model().nodes());
-  performance::show(state, performance::ring_factorisation(solver.factor_work(), nodes, members) +
-                               performance::ring_solution(solver.factor_work(),
-                                                          static_cast<double>(flow.model().matrix().values().size())));
+  const std::size_t nodes = flow.model().nodes();
+  performance::show(state, nodes, performance::ring_pressures(flow.model(), nodes, performance::triangulated, 1));
+  show_flips(state, flow.flips() - before);
 }
 
 BENCHMARK(flips_and_geometry)->Arg(100)->Arg(316)->Arg(1000)->Unit(benchmark::kMillisecond);

@@ -69,7 +69,7 @@ performance::Work work_of(Stepping stepping, double sloping) {
 void marker_steps(benchmark::State& state, Site site, Stepping stepping) {
   const Scheme scheme{.stepping = stepping, .fixed_sweeps = stepping == Stepping::conservative ? sweeps : 0};
   const performance::Threads threads(state.range(1));
-  Flow flow = start(site, static_cast<std::size_t>(state.range(0)), scheme);
+  Flow flow = start(site, performance::count_of(state), scheme);
   const auto markers = static_cast<double>(flow.x().size());
   // A wave that reached the shore would change the work: begin again in time.
   constexpr double longest_time = 20;
@@ -77,12 +77,12 @@ void marker_steps(benchmark::State& state, Site site, Stepping stepping) {
     flow.advance(tau);
     if (flow.time() > longest_time) {
       state.PauseTiming();
-      flow = start(site, static_cast<std::size_t>(state.range(0)), scheme);
+      flow = start(site, performance::count_of(state), scheme);
       state.ResumeTiming();
     }
   }
-  state.SetItemsProcessed(static_cast<std::int64_t>(static_cast<double>(state.iterations()) * markers));
-  performance::show(state, markers * work_of(stepping, site == Site::beach ? -toe / spacing / markers : 0));
+  performance::show(state, flow.x().size(),
+                    markers * work_of(stepping, site == Site::beach ? -toe / spacing / markers : 0));
   benchmark::DoNotOptimize(flow.x().data());
 }
 

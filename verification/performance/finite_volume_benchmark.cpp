@@ -43,30 +43,22 @@ performance::Work work_of(Scheme scheme, std::size_t cells) {
 }
 
 void finite_volume_steps(benchmark::State& state, Scheme scheme) {
-  const auto cells = static_cast<std::size_t>(state.range(0));
+  const std::size_t cells = performance::count_of(state);
   const performance::Threads threads(state.range(1));
   std::vector<double> depth(cells);
   for (std::size_t i = 0; i < cells; ++i) {
     depth[i] = 1 + 0.1 * std::sin(50.0 * static_cast<double>(i) / static_cast<double>(cells));
   }
-  FiniteVolumeFlow::Settings settings;
-  settings.scheme = scheme;
-  FiniteVolumeFlow flow(settings, 0, 100, depth, std::vector<double>(cells, 0.0));
+  FiniteVolumeFlow flow({.scheme = scheme}, 0, 100, depth, std::vector<double>(cells, 0.0));
   const double tau = 0.2 / flow.courant_number(1);
   for (auto _ : state) flow.advance(tau);
-  state.SetItemsProcessed(state.iterations() * state.range(0));
-  performance::show(state, static_cast<double>(cells) * work_of(scheme, cells));
+  performance::show(state, cells, static_cast<double>(cells) * work_of(scheme, cells));
   benchmark::DoNotOptimize(flow.depth().data());
 }
 
-/// Cells and threads.
-void sizes(benchmark::internal::Benchmark* benchmark) {
-  benchmark->Args({1000, 1})->Args({10000, 1})->Args({1000000, 1})->Args({1000000, 2})->UseRealTime();
-}
-
-BENCHMARK_CAPTURE(finite_volume_steps, lax_friedrichs, Scheme::lax_friedrichs)->Apply(sizes);
-BENCHMARK_CAPTURE(finite_volume_steps, mac_cormack, Scheme::mac_cormack)->Apply(sizes);
-BENCHMARK_CAPTURE(finite_volume_steps, roe, Scheme::roe)->Apply(sizes);
-BENCHMARK_CAPTURE(finite_volume_steps, muscl_hll, Scheme::muscl_hll)->Apply(sizes);
+BENCHMARK_CAPTURE(finite_volume_steps, lax_friedrichs, Scheme::lax_friedrichs)->Apply(performance::rows_and_threads);
+BENCHMARK_CAPTURE(finite_volume_steps, mac_cormack, Scheme::mac_cormack)->Apply(performance::rows_and_threads);
+BENCHMARK_CAPTURE(finite_volume_steps, roe, Scheme::roe)->Apply(performance::rows_and_threads);
+BENCHMARK_CAPTURE(finite_volume_steps, muscl_hll, Scheme::muscl_hll)->Apply(performance::rows_and_threads);
 
 }  // namespace

@@ -29,63 +29,64 @@ performance::Work work_of(const SplineSpace& space, double particles) {
   return own + performance::factorisation(factor) + solutions * performance::substitution(factor);
 }
 
+constexpr double length = 2 * std::numbers::pi;
+constexpr double bottom = -std::numbers::pi;
+
+Particles water(std::size_t columns, std::size_t rows) {
+  return layer({.end = length,
+                .columns = columns,
+                .rows = rows,
+                .surface = [](double x) { return 0.2 * std::cos(x); },
+                .bottom = [](double) { return bottom; }});
+}
+
+LatticePlan plan(std::size_t cells, bool shift) {
+  return {.cell_x = length / static_cast<double>(cells),
+          .left_wall = 0.0,
+          .period = length,
+          .bottom = true,
+          .ground = {.level = bottom},
+          .shift = shift};
+}
+
+void show(benchmark::State& state, const SplineSpace& space, std::size_t particles) {
+  state.counters["unknowns"] = static_cast<double>(space.facts().unknowns);
+  performance::show(state, particles, work_of(space, static_cast<double>(particles)));
+}
+
 /// Cells to a wavelength, threads; the lattice is shifted at random at every step.
 void wave_steps(benchmark::State& state) {
-  const double length = 2 * std::numbers::pi;
-  const double h = length / static_cast<double>(state.range(0));
-  const auto cells = static_cast<std::size_t>(state.range(0));
+  const std::size_t cells = performance::count_of(state);
+  const double h = length / static_cast<double>(cells);
   const performance::Threads threads(state.range(1));
-  auto space = std::make_unique<SplineSpace>(LatticePlan{.cell_x = h,
-                                                         .left_wall = 0.0,
-                                                         .period = length,
-                                                         .bottom = true,
-                                                         .ground = {.level = -std::numbers::pi},
-                                                         .shift = true});
+  auto space = std::make_unique<SplineSpace>(plan(cells, true));
   const SplineSpace& splines = *space;
-  Flow flow(layer({.end = length,
-                   .columns = 6 * cells,
-                   .rows = 3 * cells,
-                   .surface = [](double x) { return 0.2 * std::cos(x); },
-                   .bottom = [](double) { return -std::numbers::pi; }}),
-            std::move(space), [](Point r) {
-              const double speed = 0.2 * std::exp(r.y);
-              return Point{speed * std::cos(r.x), speed * std::sin(r.x)};
-            });
+  Flow flow(water(6 * cells, 3 * cells), std::move(space), [](Point r) {
+    const double speed = 0.2 * std::exp(r.y);
+    return Point{speed * std::cos(r.x), speed * std::sin(r.x)};
+  });
   flow.advance(0.2 * h);  // the analysis
   for (auto _ : state) flow.advance(0.2 * h);
-  state.SetItemsProcessed(state.iterations() * static_cast<long>(flow.model().size()));
-  state.counters["unknowns"] = static_cast<double>(splines.facts().unknowns);
-  performance::show(state, work_of(splines, static_cast<double>(flow.model().size())));
+  show(state, splines, flow.model().size());
 }
 
 BENCHMARK(wave_steps)->ArgsProduct({{20, 40, 80, 240}, {1, 2}})->Unit(benchmark::kMillisecond)->UseRealTime();
 
 /// One projection: placing the particles, which factorises, and solving. Cells to a wavelength.
 void projection(benchmark::State& state) {
-  const double length = 2 * std::numbers::pi;
-  const auto cells = static_cast<std::size_t>(state.range(0));
-  const Particles water = layer({.end = length,
-                                 .columns = 3 * cells,
-                                 .rows = 3 * cells / 2,
-                                 .surface = [](double x) { return 0.2 * std::cos(x); },
-                                 .bottom = [](double) { return -std::numbers::pi; }});
-  SplineSpace space({.cell_x = length / static_cast<double>(cells),
-                     .left_wall = 0.0,
-                     .period = length,
-                     .bottom = true,
-                     .ground = {.level = -std::numbers::pi}});
+  const std::size_t cells = performance::count_of(state);
+  const Particles at = water(3 * cells, 3 * cells / 2);
+  SplineSpace space(plan(cells, false));
   std::vector<double> u, v;
   const auto project = [&] {
-    u = water.x;
-    v = water.y;
-    space.place({0, 0}, water.x, water.y, water.mass, 0);
+    u = at.x;
+    v = at.y;
+    space.place({0, 0}, at.x, at.y, at.mass, 0);
     space.project(u, v);
   };
   project();  // the analysis
   for (auto _ : state) project();
-  state.SetItemsProcessed(state.iterations() * static_cast<long>(water.size()));
-  state.counters["unknowns"] = static_cast<double>(space.facts().unknowns);
-  performance::show(state, work_of(space, static_cast<double>(water.size())));
+  show(state, space, at.size());
 }
 
 BENCHMARK(projection)->Arg(120)->Arg(240)->Arg(440)->Unit(benchmark::kMillisecond);

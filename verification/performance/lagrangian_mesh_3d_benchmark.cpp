@@ -16,38 +16,37 @@
 namespace {
 
 using namespace seiche::lagrangian_mesh_3d;
+namespace performance = seiche::performance;
 
 /// A linearisation with its projection, per cell: predict (9 arrays, 6 operations), gradients (27, 297), inverted
 /// corners (164 operations), assembly (41, 324), rates of the volumes (28, 47), mean velocities (6), reaction (34, 51),
 /// advance (9, 6), reflection (9, 6). Forces act on the surface alone.
-constexpr seiche::performance::Work linearisation = seiche::performance::pass(163, 901);
+constexpr performance::Work linearisation = performance::pass(163, 901);
 
 void steps(benchmark::State& state, Stepping stepping) {
-  const auto side = static_cast<std::size_t>(state.range(0));
-  const auto layers = static_cast<std::size_t>(state.range(1));
+  const std::size_t side = performance::count_of(state, 0);
   const double h = 1 / static_cast<double>(state.range(2));
   const double length = h * static_cast<double>(side);
   Flow flow(layer_mesh({.end = length,
                         .north = length,
                         .columns = side,
                         .rows = side,
-                        .layers = layers,
+                        .layers = performance::count_of(state, 1),
                         .elevation = [](double x, double y) { return 0.3 * std::exp(-0.1 * (x * x + y * y)); }}),
             {}, {.stepping = stepping}, {.tolerance = 1e-7});
   flow.advance(0.4 * h);
-  const auto& solver = flow.model().solver();
-  const long solutions = solver.solutions();
-  const long iterations = solver.iterations();
+  const performance::Solutions before = performance::solutions_of(flow);
   for (auto _ : state) flow.advance(0.4 * h);
-  const auto solves = static_cast<double>(solver.solutions() - solutions);
-  const double per_solution = static_cast<double>(solver.iterations() - iterations) / solves;
-  state.SetItemsProcessed(state.iterations() * static_cast<long>(flow.model().constraints()));
-  state.counters["iterations"] = per_solution;
-  state.counters["solves"] = solves / static_cast<double>(state.iterations());
+  const auto [solves, iterations, _] =
+      (performance::solutions_of(flow) - before).over(static_cast<double>(state.iterations()));
+  state.counters["iterations"] = iterations / solves;
+  state.counters["solves"] = solves;
   const auto horizontal = static_cast<double>(side);
-  seiche::performance::show(
-      state, (solves / static_cast<double>(state.iterations()) * static_cast<double>(flow.model().constraints())) *
-                 (linearisation + seiche::performance::lattice_solution(horizontal, horizontal, 27, per_solution)));
+  const std::size_t cells = flow.model().constraints();
+  performance::show(
+      state, cells,
+      (solves * static_cast<double>(cells)) *
+          (linearisation + performance::lattice_solution(horizontal, horizontal, 27, iterations / solves)));
 }
 
 void timed(benchmark::internal::Benchmark* benchmark) {

@@ -23,41 +23,20 @@ using linear::SolverMethod;
 constexpr double amplitude = 0.3;
 constexpr double longest_run = 8;  // then from the beginning again: before the wave reaches the wall
 
-struct Solver {
-  long solves = 0, iterations = 0, factorisations = 0;
-
-  Solver& operator+=(const Solver& other) {
-    solves += other.solves;
-    iterations += other.iterations;
-    factorisations += other.factorisations;
-    return *this;
-  }
-  Solver operator-(const Solver& other) const {
-    return {solves - other.solves, iterations - other.iterations, factorisations - other.factorisations};
-  }
-};
-
-Solver taken(const Flow& flow) {
-  const linear::ConstraintSolver& solver = flow.model().solver();
-  return {solver.solutions(), solver.iterations(), solver.factorisations()};
-}
-
 /// A linearisation with its projection, per cell: predict (6 arrays, 4 operations), diagonals and corners (6, 29),
 /// assembly (11, 48), rates of the areas (7, 11), mean velocities (4), reaction (11, 18), advance (6, 4), reflection
 /// (6, 4). Forces act on the surface alone.
 constexpr performance::Work linearisation = performance::pass(57, 118);
 
-performance::Work work_of(const Solver& done, double steps, double columns, double rows) {
-  const linear::FactorWork factor = performance::band(columns, rows);
-  const double solves = static_cast<double>(done.solves) / steps;
+performance::Work work_of(const performance::Solutions& in_step, double columns, double rows) {
+  const auto& [solves, iterations, factorisations] = in_step;
   const double cells = columns * rows;
-  performance::Work work = (solves * cells) * linearisation;
-  if (done.iterations > 0) {
-    return work + (solves * cells) * performance::lattice_solution(
-                                         columns, 1, 9, static_cast<double>(done.iterations) / steps / solves);
+  const performance::Work work = (solves * cells) * linearisation;
+  if (iterations > 0) {
+    return work + (solves * cells) * performance::lattice_solution(columns, 1, 9, iterations / solves);
   }
-  return work + (static_cast<double>(done.factorisations) / steps) * performance::factorisation(factor) +
-         solves * performance::substitution(factor);
+  const linear::FactorWork factor = performance::band(columns, rows);
+  return work + factorisations * performance::factorisation(factor) + solves * performance::substitution(factor);
 }
 
 Flow start(std::size_t columns, std::size_t rows, double column_width, Stepping stepping, SolverMethod solver,
@@ -78,8 +57,7 @@ Flow start(std::size_t columns, std::size_t rows, double column_width, Stepping 
 }
 
 void step(benchmark::State& state, Stepping stepping, SolverMethod solver, double tolerance) {
-  const auto columns = static_cast<std::size_t>(state.range(0));
-  const auto rows = static_cast<std::size_t>(state.range(1));
+  const std::size_t columns = performance::count_of(state, 0), rows = performance::count_of(state, 1);
   const double column_width = 2.0 / static_cast<double>(rows);
   const double tau = column_width / 5;
   const auto started = [&] {
@@ -88,26 +66,24 @@ void step(benchmark::State& state, Stepping stepping, SolverMethod solver, doubl
     return flow;
   };
   Flow flow = started();
-  Solver before = taken(flow);
-  Solver done;
+  performance::Solutions before = performance::solutions_of(flow), done;
   for (auto _ : state) {
     if (flow.time() > longest_run) {
       state.PauseTiming();
-      done += taken(flow) - before;
+      done += performance::solutions_of(flow) - before;
       flow = started();
-      before = taken(flow);
+      before = performance::solutions_of(flow);
       state.ResumeTiming();
     }
     flow.advance(tau);
   }
-  done += taken(flow) - before;
-  const auto steps = static_cast<double>(state.iterations());
-  state.SetItemsProcessed(state.iterations() * static_cast<int64_t>(columns * rows));
+  done += performance::solutions_of(flow) - before;
+  const performance::Solutions in_step = done.over(static_cast<double>(state.iterations()));
   state.SetLabel(flow.model().solver().method() == SolverMethod::banded ? "banded" : "iterative");
-  state.counters["solves"] = static_cast<double>(done.solves) / steps;
-  state.counters["iterations"] = static_cast<double>(done.iterations) / steps;
-  state.counters["factorisations"] = static_cast<double>(done.factorisations) / steps;
-  performance::show(state, work_of(done, steps, static_cast<double>(columns), static_cast<double>(rows)));
+  state.counters["solves"] = in_step.solves;
+  state.counters["iterations"] = in_step.iterations;
+  state.counters["factorisations"] = in_step.factorisations;
+  performance::show(state, columns * rows, work_of(in_step, static_cast<double>(columns), static_cast<double>(rows)));
 }
 
 void small_meshes(benchmark::internal::Benchmark* benchmark) {

@@ -15,8 +15,7 @@ namespace {
 void triad(benchmark::State& state) {
   const auto n = static_cast<std::size_t>(state.range(0));
   std::vector<double> sum(n, 0.0);
-  const std::vector<double> first(n, 1.0);
-  const std::vector<double> second(n, 2.0);
+  const std::vector<double> first(n, 1.0), second(n, 2.0);
   double scale = 3;
   for (auto _ : state) {
     benchmark::DoNotOptimize(scale);

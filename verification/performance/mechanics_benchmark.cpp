@@ -24,10 +24,8 @@ constexpr performance::Work solution = std::is_same_v<Matrix, Periodic> ? perfor
 
 template <class Matrix>
 void factor_and_solve(benchmark::State& state) {
-  const auto n = static_cast<std::size_t>(state.range(0));
-  const std::vector<double> diagonal(n, 2.5);
-  const std::vector<double> off_diagonal(n, -1);
-  const std::vector<double> right_hand_side(n, 1);
+  const std::size_t n = performance::count_of(state);
+  const std::vector<double> diagonal(n, 2.5), off_diagonal(n, -1), right_hand_side(n, 1);
   std::vector<double> x(n);
   Matrix matrix;
   for (auto _ : state) {
@@ -35,8 +33,7 @@ void factor_and_solve(benchmark::State& state) {
     matrix.solve(right_hand_side, x);
     benchmark::DoNotOptimize(x.data());
   }
-  state.SetItemsProcessed(state.iterations() * state.range(0));
-  performance::show(state, static_cast<double>(n) * solution<Matrix>);
+  performance::show(state, n, static_cast<double>(n) * solution<Matrix>);
 }
 
 BENCHMARK(factor_and_solve<TwoEnded>)->Arg(1000)->Arg(10000)->Arg(1000000);

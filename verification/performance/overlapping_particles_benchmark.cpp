@@ -34,8 +34,7 @@ void neighbours(benchmark::State& state) {
   Neighbourhoods near(reach);
   near.update(p.x, p.y, walls);
   for (auto _ : state) benchmark::DoNotOptimize(near.update(p.x, p.y, walls));
-  state.SetItemsProcessed(state.iterations() * static_cast<long>(p.size()));
-  performance::show_not_counted(state, "branching");
+  performance::show_not_counted(state, p.size(), "branching");
 }
 
 /// Gradients, assembly and factor at a configuration that stays: no new pattern.
@@ -44,9 +43,7 @@ void linearisation(benchmark::State& state) {
   const mechanics::State start = model.state();
   model.linearise({}, start.q);
   for (auto _ : state) model.linearise({}, start.q);
-  state.SetItemsProcessed(state.iterations() * static_cast<long>(model.size()));
-  performance::show(
-      state, performance::ring_factorisation(model.solver().factor_work(), static_cast<double>(model.size()), members));
+  performance::show(state, model.size(), performance::ring_pressures(model, model.size(), members, 0));
 }
 
 /// Whole steps of a fifth of the spacing. Counted are the multipliers; the search for neighbours branches.
@@ -55,14 +52,10 @@ void steps(benchmark::State& state) {
   Flow flow(disc(n), eddy);
   const long before = flow.model().solver().analyses();
   for (auto _ : state) flow.advance(0.2 / n);
-  const auto taken = static_cast<double>(state.iterations());
-  state.SetItemsProcessed(state.iterations() * static_cast<long>(flow.model().size()));
-  const linear::RingSolver& solver = flow.model().solver();
-  state.counters["analyses"] = static_cast<double>(solver.analyses() - before) / taken;
-  const auto particles = static_cast<double>(flow.model().size());
-  performance::show(state, performance::ring_factorisation(solver.factor_work(), particles, members) +
-                               performance::ring_solution(solver.factor_work(),
-                                                          static_cast<double>(flow.model().matrix().values().size())));
+  const Model& model = flow.model();
+  state.counters["analyses"] =
+      static_cast<double>(model.solver().analyses() - before) / static_cast<double>(state.iterations());
+  performance::show(state, model.size(), performance::ring_pressures(model, model.size(), members, 1));
 }
 
 BENCHMARK(neighbours)->Arg(20)->Arg(50)->Arg(180)->Unit(benchmark::kMillisecond);

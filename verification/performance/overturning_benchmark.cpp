@@ -16,7 +16,7 @@ constexpr double amplitude = 0.408407044966673;
 /// From a first guess of zero: two passes in double precision. A pair of markers takes about 50 operations once per
 /// pass and 2 per iteration; its coefficient, in single precision, is written in a pass and read in an iteration.
 void integral_equation(benchmark::State& state) {
-  const auto markers = static_cast<std::size_t>(state.range(0));
+  const std::size_t markers = seiche::performance::count_of(state);
   const overturning::State initial = overturning::sinusoidal_wave(markers, amplitude, depth);
   overturning::SurfaceVelocity velocity(markers, depth);
   Eigen::VectorXd psi_s(state.range(0));
@@ -25,19 +25,19 @@ void integral_equation(benchmark::State& state) {
     velocity.solve(overturning::view(initial), psi_s);
     benchmark::DoNotOptimize(psi_s.data());
   }
-  state.SetItemsProcessed(state.iterations() * state.range(0) * state.range(0));
   const double iterations = static_cast<double>(velocity.iterations()) / static_cast<double>(velocity.solves());
   state.counters["iterations"] = iterations;
   constexpr double passes = 2;
-  const auto pairs = static_cast<double>(state.range(0) * state.range(0));
-  seiche::performance::show(state, {pairs * 4 * (passes + iterations), pairs * (50 * passes + 2 * iterations)});
+  const auto pairs = static_cast<double>(markers * markers);
+  seiche::performance::show(state, markers * markers,
+                            {pairs * 4 * (passes + iterations), pairs * (50 * passes + 2 * iterations)});
 }
 
 void until_touch_down(benchmark::State& state) {
   std::size_t steps = 0;
   for (auto _ : state) {
     const OverturningWave wave(
-        {.amplitude = amplitude, .depth = depth, .markers = static_cast<std::size_t>(state.range(0))});
+        {.amplitude = amplitude, .depth = depth, .markers = seiche::performance::count_of(state)});
     steps = wave.steps();
   }
   state.counters["steps"] = static_cast<double>(steps);

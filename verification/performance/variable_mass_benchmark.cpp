@@ -14,9 +14,6 @@ namespace {
 using namespace seiche;
 using namespace seiche::variable_mass;
 
-/// Of a ring: a node and, by Euler, six neighbours.
-constexpr double members = 7;
-
 /// Counted are the pressures, solved for in every iteration of the convective term; flips and geometry branch.
 void variable_mass_steps(benchmark::State& state) {
   const auto rows = static_cast<int>(state.range(0));
@@ -29,14 +26,11 @@ void variable_mass_steps(benchmark::State& state) {
                  }},
             {ControlKind::fixed_x, 1, 1}, {.stabilisation = 0.01});
   for (auto _ : state) flow.advance(0.4 / rows);
-  state.SetItemsProcessed(state.iterations() * static_cast<long>(flow.water().nodes()));
   const double iterations = static_cast<double>(flow.iterations()) / static_cast<double>(flow.steps());
   state.counters["iterations"] = iterations;
-  const linear::FactorWork factor = flow.water().solver().factor_work();
-  const auto nodes = static_cast<double>(flow.water().nodes());
-  const auto entries = static_cast<double>(flow.water().matrix().values().size());
-  performance::show(state, performance::ring_factorisation(factor, nodes, members) +
-                               iterations * performance::ring_solution(factor, entries));
+  const std::size_t nodes = flow.water().nodes();
+  performance::show(state, nodes,
+                    performance::ring_pressures(flow.water(), nodes, performance::triangulated, iterations));
 }
 
 BENCHMARK(variable_mass_steps)->Arg(8)->Arg(16)->Arg(50)->Unit(benchmark::kMillisecond)->Iterations(8);

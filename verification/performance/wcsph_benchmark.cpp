@@ -34,12 +34,14 @@ double operations_per_pair(const Settings& settings) {
   return operations;
 }
 
-/// Of a particle in an evaluation: the state is read, and its record, a cache line, is rewritten (18 operations);
-/// the record is read, and rates written; state and rates are read and the new state is written
-/// (10). Records of neighbours are in the cache; lists of candidates are a few bytes.
-performance::Work work_of(const Settings& settings, double particles, double interactions) {
-  return (2 * particles) * performance::pass(5 + 8 + 8 + 5 + 5 + 10, 28) +
-         performance::Work{0, interactions * operations_per_pair(settings)};
+/// Runs the benchmark.
+template <class Step>
+double interactions_per_step(benchmark::State& state, const Flow& flow, const Step& step) {
+  const long long before = flow.extremes().interactions;
+  for (auto _ : state) step();
+  const auto interactions = static_cast<double>(flow.extremes().interactions - before);
+  state.counters["interactions"] = benchmark::Counter(interactions, benchmark::Counter::kIsRate);
+  return interactions / static_cast<double>(state.iterations());
 }
 
 /// Sets the speed of sound.
@@ -60,22 +62,24 @@ void dam_break_steps(benchmark::State& state, Settings settings) {
   const double held = verification::live_bytes();
   Flow flow(scene.particles, scene.spacing, settings);
   for (int step = 0; step < 10; ++step) flow.advance(flow.stable_step());
-  const long long before = flow.extremes().interactions;
-  for (auto _ : state) flow.advance(flow.stable_step());
-  state.SetItemsProcessed(state.iterations() * static_cast<long>(flow.particles().size()));
-  const auto interactions = static_cast<double>(flow.extremes().interactions - before);
-  state.counters["interactions"] = benchmark::Counter(interactions, benchmark::Counter::kIsRate);
+  const double interactions = interactions_per_step(state, flow, [&] { flow.advance(flow.stable_step()); });
   const auto particles = static_cast<double>(flow.particles().size());
   state.counters["particles"] = particles;
   state.counters["bytes_per_particle"] = (verification::live_bytes() - held) / particles;
-  performance::show(state, work_of(settings, particles, interactions / static_cast<double>(state.iterations())));
+  // Of a particle in an evaluation: the state is read, and its record, a cache line, is rewritten (18 operations); the
+  // record is read, and rates written; state and rates are read and the new state is written (10). Records of
+  // neighbours are in the cache; lists of candidates are a few bytes.
+  performance::show(state, flow.particles().size(),
+                    (2 * particles) * performance::pass(5 + 8 + 8 + 5 + 5 + 10, 28) +
+                        performance::Work{0, interactions * operations_per_pair(settings)});
 }
 
-const Settings standard{.viscosity = ArtificialViscosity{0.3}};
-const Settings diffusive{.viscosity = ArtificialViscosity{0.3}, .density_diffusion = 0.1};
-const Settings extrapolated{.viscosity = ArtificialViscosity{0.3}, .walls = WallPressure::extrapolated};
-const Settings filtered{.viscosity = ArtificialViscosity{0.3}, .filter_every = 1};
-const Settings shifting{.viscosity = ArtificialViscosity{0.3}, .particle_shifting = true};
+constexpr ArtificialViscosity some{0.3};
+const Settings standard{.viscosity = some};
+const Settings diffusive{.viscosity = some, .density_diffusion = 0.1};
+const Settings extrapolated{.viscosity = some, .walls = WallPressure::extrapolated};
+const Settings filtered{.viscosity = some, .filter_every = 1};
+const Settings shifting{.viscosity = some, .particle_shifting = true};
 
 void small(benchmark::internal::Benchmark* benchmark) {
   benchmark->ArgsProduct({{50}, {1, 2}})->UseRealTime();
@@ -97,15 +101,12 @@ void dam_break_rates(benchmark::State& state) {
   Settings settings = standard;
   const Scene scene = column(state.range(0), settings);
   Flow flow(scene.particles, scene.spacing, settings);
-  const long long before = flow.extremes().interactions;
-  for (auto _ : state) benchmark::DoNotOptimize(flow.rates());
-  const auto interactions = static_cast<double>(flow.extremes().interactions - before);
-  state.counters["interactions"] = benchmark::Counter(interactions, benchmark::Counter::kIsRate);
-  state.SetItemsProcessed(state.iterations() * static_cast<long>(flow.particles().size()));
+  const double interactions = interactions_per_step(state, flow, [&] { benchmark::DoNotOptimize(flow.rates()); });
+  const std::size_t particles = flow.particles().size();
   // Without the move, but the rates are copied.
-  performance::show(state, static_cast<double>(flow.particles().size()) * performance::pass(5 + 8 + 8 + 5 + 10, 18) +
-                               performance::Work{0, interactions / static_cast<double>(state.iterations()) *
-                                                        operations_per_pair(settings)});
+  performance::show(state, particles,
+                    static_cast<double>(particles) * performance::pass(5 + 8 + 8 + 5 + 10, 18) +
+                        performance::Work{0, interactions * operations_per_pair(settings)});
 }
 BENCHMARK(dam_break_rates)->Arg(50)->Arg(690)->UseRealTime();
 

@@ -34,9 +34,30 @@ constexpr Work pass(double arrays, double operations) {
 }
 
 /// The counters that ci/checks/benchmarks sets beside what the machine can do.
-inline void show(benchmark::State& state, Work per_step) {
+/// @param items  that a step takes on: cells, nodes, particles
+inline void show(benchmark::State& state, std::size_t items, Work per_step) {
+  state.SetItemsProcessed(state.iterations() * static_cast<long>(items));
   state.counters["bytes_per_step"] = per_step.bytes;
   state.counters["operations_per_step"] = per_step.operations;
+}
+
+/// Instead of counters, where what is done depends on the numbers met: a word that says why.
+inline void show_not_counted(benchmark::State& state, const char* why) {
+  state.SetLabel(std::string("not counted: ") + why);
+}
+inline void show_not_counted(benchmark::State& state, std::size_t items, const char* why) {
+  state.SetItemsProcessed(state.iterations() * static_cast<long>(items));
+  show_not_counted(state, why);
+}
+
+/// An argument of the benchmark that is a number of cells or particles.
+inline std::size_t count_of(const benchmark::State& state, std::size_t argument = 0) {
+  return static_cast<std::size_t>(state.range(argument));
+}
+
+/// Cells or particles in a row, and threads.
+inline void rows_and_threads(benchmark::internal::Benchmark* benchmark) {
+  benchmark->Args({1000, 1})->Args({10000, 1})->Args({1000000, 1})->Args({1000000, 2})->UseRealTime();
 }
 
 /// So many threads, until the benchmark has ended.
@@ -50,11 +71,6 @@ class Threads {
  private:
   int usual_ = omp_get_max_threads();
 };
-
-/// Instead of counters, where what is done depends on the numbers met: a word that says why.
-inline void show_not_counted(benchmark::State& state, const char* why) {
-  state.SetLabel(std::string("not counted: ") + why);
-}
 
 /// An iteration of ConjugateGradients without product and preconditioner, per unknown: both dots of z, the direction,
 /// x and r moved, |r|.
@@ -73,6 +89,29 @@ inline Work lattice_solution(double nx, double nz, double stencil, double iterat
   const double passes = nz > 1 ? 2 : 0;  // over modes, by tiles
   const Work preconditioner{8 + 4 + passes * 4 + 2 * 4 + 4 + 8, 2 * 2.5 * (std::log2(nx) + std::log2(nz)) + 6};
   return pass(8, 3) + product + iterations * (iteration_vectors + product + preconditioner);
+}
+
+/// What a model's solver has done.
+struct Solutions {
+  double solves = 0, iterations = 0, factorisations = 0;
+
+  Solutions& operator+=(const Solutions& other) {
+    return *this = {solves + other.solves, iterations + other.iterations, factorisations + other.factorisations};
+  }
+  friend Solutions operator-(const Solutions& all, const Solutions& before) {
+    return {all.solves - before.solves, all.iterations - before.iterations, all.factorisations - before.factorisations};
+  }
+  /// In each of so many.
+  [[nodiscard]] Solutions over(double steps) const {
+    return {solves / steps, iterations / steps, factorisations / steps};
+  }
+};
+
+template <class Flow>
+Solutions solutions_of(const Flow& flow) {
+  const auto& solver = flow.model().solver();
+  return {static_cast<double>(solver.solutions()), static_cast<double>(solver.iterations()),
+          static_cast<double>(solver.factorisations())};
 }
 
 /// Of a lattice's nine-point matrix, eliminated within its band.
@@ -96,18 +135,19 @@ inline Work sparse_product(double entries) {
   return {(8 + 4) * entries, 4 * entries};
 }
 
-/// Assembly and factorisation of a RingMatrix, by pairs in rings: where a pair goes, its product of two vectors, the
-/// sum.
+/// Pressures of a model whose matrix is a RingMatrix: assembly and factorisation, by pairs in rings (where a pair goes,
+/// its product of two vectors, the sum), and so many solutions, each refined twice.
 /// @param members  of a ring, on the mean
-inline Work ring_factorisation(linear::FactorWork factor, double rings, double members) {
+template <class Model>
+Work ring_pressures(const Model& model, std::size_t rings, double members, double solutions) {
+  const linear::FactorWork factor = model.solver().factor_work();
   const double pairs = members * (members + 1) / 2;
-  return rings * Work{4 * pairs, 4 * pairs} + factorisation(factor);
+  const auto entries = static_cast<double>(model.matrix().values().size());
+  return static_cast<double>(rings) * Work{4 * pairs, 4 * pairs} + factorisation(factor) +
+         solutions * (3 * substitution(factor) + 2 * sparse_product(entries));
 }
 
-/// A solution by RingSolver, refined twice.
-/// @param entries  of the matrix's triangle
-inline Work ring_solution(linear::FactorWork factor, double entries) {
-  return 3 * substitution(factor) + 2 * sparse_product(entries);
-}
+/// Of a ring of a triangulation: a node and, by Euler, six neighbours.
+inline constexpr double triangulated = 7;
 
 }  // namespace seiche::performance
