@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 
 #include "seiche/samples.hpp"
-#include "validation/instruments/each.hpp"
 #include "validation/instruments/oscillation.hpp"
 
 namespace seiche::validation {
@@ -47,43 +46,24 @@ double lagged(std::span<const double> s, std::span<const double> r, long lag) {
   return correlation(s.subspan(late_s, count), r.subspan(late_r, count));
 }
 
-/// See Shift in the header. Arrays of equal length over increasing x.
-double shift_between(std::span<const double> x, std::span<const double> submitted, std::span<const double> reference) {
-  const std::size_t n = x.size();
-  const long farthest = static_cast<long>(n) / 4;
-  if (farthest < 1) return unknown;
-  const double spacing = (x.back() - x.front()) / static_cast<double>(n - 1);
-  std::vector<double> s, r;
-  for (std::size_t i = 0; i < n; ++i) {
-    const double at = i + 1 == n ? x.back() : x.front() + static_cast<double>(i) * spacing;
-    s.push_back(linear_at({x, submitted}, at));
-    r.push_back(linear_at({x, reference}, at));
-  }
-  std::vector<double> lags, agreement_at;
-  for (long lag = -farthest; lag <= farthest; ++lag) {
-    const double here = lagged(s, r, lag);
-    lags.push_back(static_cast<double>(lag));
-    agreement_at.push_back(std::isnan(here) ? -1 : here);
-  }
-  const std::vector<CurveCrest> peaks = crests_above(0, lags, agreement_at);
-  const double best = largest(each(peaks, &CurveCrest::height));
-  double lag = unknown;
-  for (const CurveCrest& peak : peaks) {
-    if (peak.height >= 0.99 * best && !(std::abs(peak.place) >= std::abs(lag))) lag = peak.place;
-  }
-  return lag * spacing;
-}
+struct LocalPeak {
+  double place;  ///< in samples
+  double height;
+};
 
-/// See Skill in the header.
-double willmott_skill(std::span<const double> submitted, std::span<const double> reference) {
-  const double middle = mean(reference);
-  double error = 0;
-  double potential = 0;
-  for (std::size_t i = 0; i < reference.size(); ++i) {
-    error += std::pow(submitted[i] - reference[i], 2);
-    potential += std::pow(std::abs(submitted[i] - middle) + std::abs(reference[i] - middle), 2);
+/// Local maxima, each by the parabola through a sample and its neighbours.
+std::vector<LocalPeak> peaks_of(const std::vector<double>& samples) {
+  std::vector<LocalPeak> peaks;
+  for (std::size_t k = 1; k + 1 < samples.size(); ++k) {
+    const double before = samples[k - 1];
+    const double here = samples[k];
+    const double after = samples[k + 1];
+    const double curvature = before - 2 * here + after;
+    if (here < before || here < after || !(curvature < 0)) continue;
+    const double offset = 0.5 * (before - after) / curvature;
+    peaks.push_back({static_cast<double>(k) + offset, here - 0.25 * (before - after) * offset});
   }
-  return 1 - ratio(error, potential);
+  return peaks;
 }
 
 }  // namespace
@@ -96,12 +76,51 @@ double linear_at(Curve curve, double x) {
   return std::lerp(curve.y[k - 1], curve.y[k], (x - curve.x[k - 1]) / (curve.x[k] - curve.x[k - 1]));
 }
 
+double shift_between(std::span<const double> x, std::span<const double> submitted, std::span<const double> reference) {
+  const std::size_t n = x.size();
+  const long farthest = static_cast<long>(n) / 4;
+  if (farthest < 1) return unknown;
+  const double spacing = (x.back() - x.front()) / static_cast<double>(n - 1);
+  std::vector<double> s, r;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double at = i + 1 == n ? x.back() : x.front() + static_cast<double>(i) * spacing;
+    s.push_back(linear_at({x, submitted}, at));
+    r.push_back(linear_at({x, reference}, at));
+  }
+  std::vector<double> agreement_at;
+  for (long lag = -farthest; lag <= farthest; ++lag) {
+    const double here = lagged(s, r, lag);
+    agreement_at.push_back(std::isnan(here) ? -1 : here);
+  }
+  const std::vector<LocalPeak> peaks = peaks_of(agreement_at);
+  Largest best;
+  for (const LocalPeak& peak : peaks) best.add(peak.height);
+  double lag = unknown;
+  for (const LocalPeak& peak : peaks) {
+    const double candidate = peak.place - static_cast<double>(farthest);
+    if (peak.height > 0 && peak.height >= 0.99 * best.value() && !(std::abs(candidate) >= std::abs(lag)))
+      lag = candidate;
+  }
+  return lag * spacing;
+}
+
 double first_crossing(Curve curve, double level) {
   const auto found = std::find_if(curve.y.begin(), curve.y.end(), [&](double y) { return y >= level; });
   if (found == curve.y.end()) return unknown;
   const auto k = static_cast<std::size_t>(found - curve.y.begin());
   if (k == 0) return curve.x.front();
   return std::lerp(curve.x[k - 1], curve.x[k], (level - curve.y[k - 1]) / (curve.y[k] - curve.y[k - 1]));
+}
+
+double willmott_skill(std::span<const double> submitted, std::span<const double> reference) {
+  const double middle = mean(reference);
+  double error = 0;
+  double potential = 0;
+  for (std::size_t i = 0; i < reference.size(); ++i) {
+    error += std::pow(submitted[i] - reference[i], 2);
+    potential += std::pow(std::abs(submitted[i] - middle) + std::abs(reference[i] - middle), 2);
+  }
+  return 1 - ratio(error, potential);
 }
 
 Agreement agreement(Curve submitted, Curve reference) {

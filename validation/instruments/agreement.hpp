@@ -69,7 +69,13 @@ struct Agreement {
 /// @throws std::invalid_argument when the curve covers none of the reference points
 Agreement agreement(Curve submitted, Curve reference);
 
+/// See Shift above. Arrays of equal length over increasing x.
+double shift_between(std::span<const double> x, std::span<const double> submitted, std::span<const double> reference);
+
 /// First abscissa at which the curve is at or above `level`; NaN if it never is.
 double first_crossing(Curve curve, double level);
+
+/// See Skill above.
+double willmott_skill(std::span<const double> submitted, std::span<const double> reference);
 
 }  // namespace seiche::validation
