@@ -107,8 +107,7 @@ TEST_CASE("a wave overturns when its front is past the vertical", "[geometry]") 
              {overhang_error.value()},
              Bound{1.5,
                    "two extrema of x, each known to the contour's largest distance, 0.71 dx: whether a cell is water "
-                   "is decided by "
-                   "its middle"});
+                   "is decided by its middle"});
   check.that("tip", "The tip of the jet agrees with the tip of the curve within 0.75 dx.",
              "largest error of its x over dx", {tip_error.value()}, Bound{0.75, "one such extremum, 0.71 dx"});
   check.that("side", "The direction in which it breaks is found.", "directions right", {sides ? 1.0 : 0.0},

@@ -49,27 +49,21 @@ struct DiscErrors {
   Worst radius;  ///< [m]
 };
 DiscErrors disc_errors(double spacing) {
-  constexpr int places = 8;
+  const double reach = spacing * std::ceil(1 / spacing + 3);
+  const Box box{-reach, reach, -reach, reach};
   DiscErrors errors;
-  for (int i = 0; i < places; ++i) {
-    for (int j = 0; j < places; ++j) {
-      const double x0 = spacing * (i + 0.31) / places, z0 = spacing * (j + 0.17) / places;
-      const double reach = spacing * std::ceil(1 / spacing + 3);
-      const Box box{-reach, reach, -reach, reach};
-      const Scene disc = patch({.inside = [=](double x, double z) { return std::hypot(x - x0, z - z0) <= 1; },
-                                .box = box,
-                                .spacing = spacing},
-                               water);
-      const std::vector<Contour> curves = free_surface(fraction_of(disc), box, spacing / 2);
-      REQUIRE(curves.size() == 1);
-      REQUIRE(curves[0].closed);
-      const Place centre = curves[0].centroid();
-      for (std::size_t k = 0; k < curves[0].x.size(); ++k) {
-        errors.radius.add(std::hypot(curves[0].x[k] - x0, curves[0].z[k] - z0) - 1);
-      }
-      errors.area.add(-curves[0].area() / pi - 1);
-      errors.centre.add(std::hypot(centre.x - x0, centre.z - z0));
-    }
+  for (int place = 0; place < 64; ++place) {
+    const double x0 = spacing * (place / 8 + 0.31) / 8, z0 = spacing * (place % 8 + 0.17) / 8;
+    const auto from_centre = [=](double x, double z) { return std::hypot(x - x0, z - z0); };
+    const auto inside = [=](double x, double z) { return from_centre(x, z) <= 1; };
+    const Scene disc = patch({.inside = inside, .box = box, .spacing = spacing}, water);
+    const std::vector<Contour> curves = free_surface(fraction_of(disc), box, spacing / 2);
+    REQUIRE(curves.size() == 1);
+    const Contour& curve = curves[0];
+    REQUIRE(curve.closed);
+    for (std::size_t k = 0; k < curve.x.size(); ++k) errors.radius.add(from_centre(curve.x[k], curve.z[k]) - 1);
+    errors.area.add(-curve.area() / pi - 1);
+    errors.centre.add(from_centre(curve.centroid().x, curve.centroid().z));
   }
   return errors;
 }
@@ -82,8 +76,7 @@ TEST_CASE("the elevation of known layers is found within a fraction of the spaci
               fractions);
   Largest level;
   for (const Lattice lattice : {Lattice::square, Lattice::body_centred}) {
-    for (const KernelName kernel : {KernelName::cubic_spline, KernelName::wendland_c2}) {
-      const double smoothing = kernel == KernelName::cubic_spline ? 1.3 : 2;
+    for (const auto& [kernel, smoothing] : {std::pair{KernelName::cubic_spline, 1.3}, {KernelName::wendland_c2, 2.0}}) {
       const Scene layer = periodic_layer({.period = 1, .depth = 0.5, .spacing = 0.05, .lattice = lattice}, water);
       level.add(elevation_error(layer, fraction_of(layer, smoothing, kernel), [](double) { return 0.5; }));
     }
@@ -169,12 +162,10 @@ TEST_CASE("contours of discs and rings have their exact positions", "[geometry]"
                              "largest distance over dx", {farthest.value()},
                              Bound{0.75, "whether a cell belongs to the disc is decided by its middle: 0.71 dx"});
 
-  const Scene ring =
-      patch({.inside = [](double x, double z) { return std::hypot(x, z) <= 1 && std::hypot(x, z) > 0.4; },
-             .box = {-1.2, 1.2, -1.2, 1.2},
-             .spacing = 0.04},
-            water);
-  const std::vector<Contour> curves = free_surface(fraction_of(ring), {-1.2, 1.2, -1.2, 1.2}, 0.02);
+  const auto inside = [](double x, double z) { return std::hypot(x, z) <= 1 && std::hypot(x, z) > 0.4; };
+  const Box box{-1.2, 1.2, -1.2, 1.2};
+  const Scene ring = patch({.inside = inside, .box = box, .spacing = 0.04}, water);
+  const std::vector<Contour> curves = free_surface(fraction_of(ring), box, 0.02);
   REQUIRE(curves.size() == 2);
   check.that("ring-outside",
              "The area of a curve around water, which runs clockwise, is negative and correct within half a spacing "

@@ -11,39 +11,27 @@
 #include "seiche/models/wcsph/settings.hpp"
 #include "seiche/samples.hpp"
 #include "verification/check.hpp"
+#include "verification/manufactured/all_hold.hpp"
 
 namespace seiche::verification::wcsph_scene_test {
 
 using namespace wcsph;
 
-const std::string counts = "particle counts published with the two dam breaks, 11103 and 7983";
-
 Settings water(double height, double coefficient = 10 * std::numbers::sqrt2) {
   return {.sound_speed = sound_speed_for(9.81, height, coefficient)};
 }
 
-/// Column of 5.7 cm x 11.4 cm in 50 x 100 cells.
-DamBreak tall_column(Lattice lattice, bool corners_twice) {
-  const double a = 0.057;
-  return {.width = a,
-          .height = 2 * a,
-          .tank_length = 4 * a,
-          .wall_height = 3.5 * a,
-          .spacing = a / 50,
-          .lattice = lattice,
-          .corners_twice = corners_twice};
-}
+/// Column of 5.7 cm x 11.4 cm in 50 x 100 cells, and of 30 cm x 30 cm in 60 x 60 cells.
+constexpr double a = 0.057, b = 0.3;
+constexpr DamBreak tall_column{
+    .width = a, .height = 2 * a, .tank_length = 4 * a, .wall_height = 3.5 * a, .spacing = a / 50};
+constexpr DamBreak square_column{
+    .width = b, .height = b, .tank_length = 3 * b, .wall_height = 1.75 * b, .spacing = b / 60};
 
-/// Column of 30 cm x 30 cm in 60 x 60 cells.
-DamBreak square_column(Lattice lattice, bool corners_twice) {
-  const double a = 0.3;
-  return {.width = a,
-          .height = a,
-          .tank_length = 3 * a,
-          .wall_height = 1.75 * a,
-          .spacing = a / 60,
-          .lattice = lattice,
-          .corners_twice = corners_twice};
+Scene scene_of(DamBreak dam, Lattice lattice, bool corners_twice) {
+  dam.lattice = lattice;
+  dam.corners_twice = corners_twice;
+  return dam_break(dam, water(dam.height));
 }
 
 Flume flap_flume() {
@@ -56,54 +44,42 @@ Flume flap_flume() {
           .spacing = 0.001};
 }
 
-void counted(Check& check, const std::string& text, const Scene& scene, long expected) {
-  check.holds(text, {static_cast<double>(scene.particles.size())}, Bound{0, "a count", static_cast<double>(expected)});
-}
-
-double fluid_mass(const Particles& particles) {
-  CompensatedSum sum;
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    if (particles.kind[i] == Kind::fluid) sum.add(particles.mass[i]);
-  }
-  return sum.value();
-}
-
 /// Smallest distance of fluid to fluid and of fluid to walls, in dx.
 struct Distances {
   Smallest fluid, wall;
-};
-Distances distances(const Scene& scene) {
-  const Particles& p = scene.particles;
-  Distances result;
-  for (std::size_t i = 0; i < p.size(); ++i) {
-    if (p.kind[i] != Kind::fluid) continue;
-    for (std::size_t k = 0; k < p.size(); ++k) {
-      if (k == i) continue;
-      const double apart = std::abs(p.x[i] - p.x[k]);
-      const double dx = std::isfinite(scene.period.x) ? std::min(apart, scene.period.x - apart) : apart;
-      (p.kind[k] == Kind::fluid ? result.fluid : result.wall).add(std::hypot(dx, p.z[i] - p.z[k]) / scene.spacing);
+
+  void add(const Scene& scene) {
+    const Particles& p = scene.particles;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+      if (p.kind[i] != Kind::fluid) continue;
+      for (std::size_t k = 0; k < p.size(); ++k) {
+        if (k == i) continue;
+        const double apart = std::abs(p.x[i] - p.x[k]);
+        const double dx = std::isfinite(scene.period.x) ? std::min(apart, scene.period.x - apart) : apart;
+        (p.kind[k] == Kind::fluid ? fluid : wall).add(std::hypot(dx, p.z[i] - p.z[k]) / scene.spacing);
+      }
     }
   }
-  return result;
-}
+};
 
 TEST_CASE("dam breaks have the published numbers of particles", "[geometry]") {
   Check check("wcsph_particle_counts", "Particle counts of the dam breaks",
               "A column of 50 x 100 cells and one of 60 x 60, body-centred, in open tanks whose walls are two "
               "staggered rows: 201 + 200 particles per 200 spacings. The published counts come out with a particle for "
               "each of both walls at their common corners; the square lattice has one particle per cell.");
-  counted(check, "Case of the tall column, corners twice: 10000 + 1103.",
-          dam_break(tall_column(Lattice::body_centred, true), water(0.114)), 11103);
-  counted(check, "The same without duplicates: 10000 + 1101.",
-          dam_break(tall_column(Lattice::body_centred, false), water(0.114)), 11101);
-  counted(check, "The same on the square lattice: 5000 + 1101.",
-          dam_break(tall_column(Lattice::square, false), water(0.114)), 6101);
-  counted(check, "Case of the square column, corners twice: 7200 + 783.",
-          dam_break(square_column(Lattice::body_centred, true), water(0.3)), 7983);
-  counted(check, "The same on the square lattice, without duplicates: 3600 + 781.",
-          dam_break(square_column(Lattice::square, false), water(0.3)), 4381);
+  using enum Lattice;
+  const auto count = [](const DamBreak& dam, Lattice lattice, bool corners_twice) {
+    return static_cast<double>(scene_of(dam, lattice, corners_twice).particles.size());
+  };
+  all_hold(
+      check, Bound{0, "a count"},
+      {{"Case of the tall column, corners twice: 10000 + 1103.", count(tall_column, body_centred, true), 11103},
+       {"The same without duplicates: 10000 + 1101.", count(tall_column, body_centred, false), 11101},
+       {"The same on the square lattice: 5000 + 1101.", count(tall_column, square, false), 6101},
+       {"Case of the square column, corners twice: 7200 + 783.", count(square_column, body_centred, true), 7983},
+       {"The same on the square lattice, without duplicates: 3600 + 781.", count(square_column, square, false), 4381}});
 
-  const Scene scene = dam_break(tall_column(Lattice::square, false), water(0.114));
+  const Scene scene = scene_of(tall_column, square, false);
   evidence::Figure& figure =
       check.figure("particles", "Dam break, particles of the beginning",
                    "Square lattice of water and staggered rows of walls; right, the lower rear corner.");
@@ -134,7 +110,7 @@ TEST_CASE("scenes have the water's mass, regular distances and a hydrostatic sta
   Largest pressure_error;
   for (const Lattice lattice : {Lattice::square, Lattice::body_centred}) {
     Distances& least = lattice == Lattice::square ? square : centred;
-    DamBreak dam = square_column(lattice, false);
+    DamBreak dam = square_column;
     dam.spacing = 0.3 / 12;
     dam.wall_height = 21 * dam.spacing;
     Flume with_flap = flap_flume();
@@ -142,25 +118,25 @@ TEST_CASE("scenes have the water's mass, regular distances and a hydrostatic sta
     Flume with_piston = with_flap;
     with_piston.wavemaking = Wavemaking::piston;
     const std::vector<std::pair<Scene, double>> scenes{
-        {dam_break(dam, water(0.3)), 0.09},
+        {scene_of(dam, lattice, false), 0.09},
         {tank({.width = 0.4, .depth = 0.2, .spacing = 0.02, .lattice = lattice}, water(0.2)), 0.08},
         {flume(with_flap, water(0.013)), 0.06 * 0.013},
         {flume(with_piston, water(0.013)), 0.06 * 0.013},
         {periodic_layer({.period = 0.5, .depth = 0.2, .spacing = 0.02, .lattice = lattice}, water(0.2)), 0.1}};
     for (const auto& [scene, area] : scenes) {
-      mass_defect.add(fluid_mass(scene.particles) / (1000 * area) - 1);
-      const Distances here = distances(scene);
-      least.fluid.add(here.fluid);
-      least.wall.add(here.wall);
+      least.add(scene);
       const Settings settings = water(scene.still_water);
-      const TaitFluid fluid(settings.density, settings.sound_speed);
+      const TaitFluid tait(settings.density, settings.sound_speed);
+      CompensatedSum mass;
       for (std::size_t i = 0; i < scene.particles.size(); ++i) {
-        const bool below_water = scene.particles.kind[i] == Kind::fluid || &scene == &scenes[1].first;
-        if (!below_water) continue;
+        const bool fluid = scene.particles.kind[i] == Kind::fluid;
+        if (fluid) mass.add(scene.particles.mass[i]);
+        if (!fluid && &scene != &scenes[1].first) continue;  // of walls those of the tank
         const double expected = 1000 * 9.81 * std::max(scene.still_water - scene.particles.z[i], 0.0);
-        pressure_error.add(std::abs(fluid.pressure(scene.particles.density[i]) - expected) /
+        pressure_error.add(std::abs(tait.pressure(scene.particles.density[i]) - expected) /
                            (1000 * 9.81 * scene.still_water));
       }
+      mass_defect.add(mass.value() / (1000 * area) - 1);
     }
   }
   check.that("mass", "The fluid's mass is rho_0 times the area of the water.", "relative defect", {mass_defect.value()},
@@ -219,10 +195,10 @@ TEST_CASE("scenes have the water's mass, regular distances and a hydrostatic sta
       {smallest(thick.particles.z) / thick.spacing},
       Roundoff{6, 10, "a sum of rounded lengths, up to 10 dx", 0.5 - std::ceil(support * extrapolating.smoothing)});
 
-  DamBreak odd = tall_column(Lattice::square, false);
-  CHECK(dam_break(odd, water(0.114)).warnings.empty());
+  DamBreak odd = tall_column;
+  CHECK(scene_of(odd, Lattice::square, false).warnings.empty());
   odd.width = 0.0575;
-  const Scene rounded = dam_break(odd, water(0.114));
+  const Scene rounded = scene_of(odd, Lattice::square, false);
   REQUIRE(rounded.warnings.size() == 1);
   CHECK(rounded.warnings[0].find("width") != std::string::npos);
   CHECK(rounded.warnings[0].find("0.05700") == std::string::npos);

@@ -25,23 +25,26 @@ const PlanManufactured motion;
 constexpr double length = std::numbers::pi;  // of the basin's sides
 constexpr double end = 2;
 
-double label_of(std::size_t i, std::size_t n) {
-  return i == n ? length : length * static_cast<double>(i) / static_cast<double>(n);
+/// Of n x n cells.
+PlanManufactured::Label label_of(std::size_t node, std::size_t n) {
+  const auto place = [n](std::size_t i) {
+    return i == n ? length : length * static_cast<double>(i) / static_cast<double>(n);
+  };
+  return {place(node % (n + 1)), place(node / (n + 1))};
 }
 
-/// n x n cells, nodes with equally spaced labels, exact velocities made to keep the volumes.
-Flow flow_of(std::size_t n, Stepping stepping) {
+/// n x n cells after so many steps, nodes with equally spaced labels, first velocities exact but made to keep the
+/// volumes.
+Flow run(std::size_t n, Stepping stepping, long steps) {
   Lattice lattice{.shape = {n, n}, .x = {}, .y = {}, .z = {}, .depth = motion.parameters().depth};
   std::map<std::pair<double, double>, PlanManufactured::Label> labels;  // by the places at the beginning
-  for (std::size_t j = 0; j <= n; ++j) {
-    for (std::size_t i = 0; i <= n; ++i) {
-      const PlanManufactured::Label label{label_of(i, n), label_of(j, n)};
-      const auto column = motion.at(label.x, label.y, 0);
-      lattice.x.push_back(column.x);
-      lattice.y.push_back(column.y);
-      lattice.z.push_back(column.depth - lattice.depth);
-      labels[{column.x, column.y}] = label;
-    }
+  for (std::size_t k = 0; k < lattice.shape.nodes(); ++k) {
+    const PlanManufactured::Label label = label_of(k, n);
+    const auto column = motion.at(label.x, label.y, 0);
+    lattice.x.push_back(column.x);
+    lattice.y.push_back(column.y);
+    lattice.z.push_back(column.depth - lattice.depth);
+    labels[{column.x, column.y}] = label;
   }
   const auto column_from = [labels](double x, double y, double time) {
     const auto label = labels.at({x, y});
@@ -55,13 +58,9 @@ Flow flow_of(std::size_t n, Stepping stepping) {
     const auto column = column_from(place.x, place.y, time);
     return Point{column.bx, column.by};
   };
-  return Flow(std::move(lattice), velocity, {.stepping = stepping},
-              {.gravity = motion.parameters().gravity, .inertia = motion.parameters().alpha, .tolerance = 1e-11},
-              {.body_force = force}, {}, false);
-}
-
-Flow run(std::size_t n, Stepping stepping, long steps) {
-  Flow flow = flow_of(n, stepping);
+  Flow flow(std::move(lattice), velocity, {.stepping = stepping},
+            {.gravity = motion.parameters().gravity, .inertia = motion.parameters().alpha, .tolerance = 1e-11},
+            {.body_force = force}, {}, false);
   for (long k = 0; k < steps; ++k) flow.advance(end / static_cast<double>(steps));
   return flow;
 }
@@ -73,18 +72,16 @@ struct Node {
 
 /// Of places, elevations and horizontal velocities: L2 norms over the labels, (integral of squares)^(1/2), by the
 /// trapezoidal rule on the nodes.
-std::array<double, 3> errors_of(const Flow& flow, const std::function<Node(std::size_t i, std::size_t j)>& expected) {
-  const auto shape = flow.shape();
+std::array<double, 3> errors_of(const Flow& flow, const std::function<Node(std::size_t k)>& expected) {
+  const std::size_t n = flow.shape().columns;
+  const auto share = [n](std::size_t i) { return i % n == 0 ? 0.5 : 1.0; };
   Mean place, elevation, velocity;
-  for (std::size_t j = 0; j <= shape.rows; ++j) {
-    for (std::size_t i = 0; i <= shape.columns; ++i) {
-      const double weight = (i % shape.columns == 0 ? 0.5 : 1.0) * (j % shape.rows == 0 ? 0.5 : 1.0);
-      const std::size_t k = shape.node(i, j);
-      const Node node = expected(i, j);
-      place.add(std::hypot(flow.x()[k] - node.x, flow.y()[k] - node.y), weight);
-      elevation.add(flow.z()[k] - node.z, weight);
-      velocity.add(std::hypot(flow.u()[k] - node.u, flow.v()[k] - node.v), weight);
-    }
+  for (std::size_t k = 0; k < flow.shape().nodes(); ++k) {
+    const double weight = share(k % (n + 1)) * share(k / (n + 1));
+    const Node node = expected(k);
+    place.add(std::hypot(flow.x()[k] - node.x, flow.y()[k] - node.y), weight);
+    elevation.add(flow.z()[k] - node.z, weight);
+    velocity.add(std::hypot(flow.u()[k] - node.u, flow.v()[k] - node.v), weight);
   }
   return {length * place.rms(), length * elevation.rms(), length * velocity.rms()};
 }
@@ -112,8 +109,9 @@ TEST_CASE("the 2DH model is second-order accurate against a manufactured motion"
                  {2, 0.05, "second order of smooth solutions"}, [&](double width) {
                    const std::size_t n = cells_of(length, width);
                    const Flow flow = run(n, stepping, std::lround(4 * end / width));
-                   return errors_of(flow, [&](std::size_t i, std::size_t j) {
-                     const auto column = motion.at(label_of(i, n), label_of(j, n), end);
+                   return errors_of(flow, [&](std::size_t k) {
+                     const auto label = label_of(k, n);
+                     const auto column = motion.at(label.x, label.y, end);
                      return Node{column.x, column.y, column.depth - motion.parameters().depth, column.u, column.v};
                    });
                  });
@@ -127,8 +125,7 @@ TEST_CASE("the 2DH model is second-order accurate in time alone", "[manufactured
               source);
   for (const Stepping stepping : {Stepping::one_step, Stepping::conservative}) {
     const Flow finest = run(16, stepping, 2048);
-    const auto of_finest = [&](std::size_t i, std::size_t j) {
-      const std::size_t k = finest.shape().node(i, j);
+    const auto of_finest = [&](std::size_t k) {
       return Node{finest.x()[k], finest.y()[k], finest.z()[k], finest.u()[k], finest.v()[k]};
     };
     check_orders(check, stepping, {"step", widths(end, {16, 32, 64, 128})},

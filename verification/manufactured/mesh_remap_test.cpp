@@ -26,12 +26,9 @@ double error(std::size_t n) {
   const mechanics::State state = model.state(velocity);
   const double way = 0.3 * size / static_cast<double>(n);
   std::vector<double> x = mesh.x, y = mesh.y;
-  for (std::size_t j = 0; j <= n; ++j) {
-    for (std::size_t i = 0; i <= n; ++i) {
-      const std::size_t k = mesh.node(i, j);
-      if (i > 0 && i < n) x[k] += way * std::sin(mesh.x[k]) * std::cos(mesh.y[k]);
-      if (j > 0 && j < n) y[k] += way * std::cos(mesh.x[k]) * std::sin(mesh.y[k]);
-    }
+  for (std::size_t k = 0; k < mesh.nodes(); ++k) {
+    if (k % (n + 1) % n > 0) x[k] += way * std::sin(mesh.x[k]) * std::cos(mesh.y[k]);
+    if (k / (n + 1) % n > 0) y[k] += way * std::cos(mesh.x[k]) * std::sin(mesh.y[k]);
   }
   const Remapped now = remap(model, state.q, state.u, x, y);
   Mean off;

@@ -66,8 +66,7 @@ TEST_CASE("a manufactured Lagrangian motion converges with second order", "[manu
       {{"edges", "Positions of the edges converge at second order.",
         Order{2, 0.35,
               "approaches 2 from below (1.65, 1.83, 1.91 from 160 to 1280): errors of the limited extrema and of the "
-              "rest "
-              "cancel on coarse rows"}},
+              "rest cancel on coarse rows"}},
        {"velocities", "Velocities of the particles converge at second order.",
         Order{2, 0.35, "approaches 2 from above: the limited extrema shrink with the width"}}},
       [&](double width) {

@@ -82,27 +82,24 @@ plan::Lattice water() {
   return lattice;
 }
 
-plan::Lattice part_of(const plan::Lattice& lattice, const Block& block) {
-  return {.shape = block.shape(),
-          .x = cut(lattice.x, block, 1),
-          .y = cut(lattice.y, block, 1),
-          .z = cut(lattice.z, block, 1),
-          .sides = block.sides(lattice.sides),
-          .bottom = lattice.bottom};
-}
-
 mesh::Mesh hexahedra() {
   return mesh::layer_mesh(
       {.end = 8, .north = 6, .columns = whole.columns, .rows = whole.rows, .layers = 2, .elevation = wave});
 }
 
-mesh::Mesh part_of(const mesh::Mesh& all, const Block& block) {
-  return {.plan = block.shape(),
-          .layers = all.layers,
-          .x = cut(all.x, block, 1),
-          .y = cut(all.y, block, 1),
-          .z = cut(all.z, block, 1),
-          .sides = block.sides(all.sides)};
+Shape& shape_of(plan::Lattice& lattice) {
+  return lattice.shape;
+}
+Shape& shape_of(mesh::Mesh& layers) {
+  return layers.plan;
+}
+
+template <class Lattice>
+Lattice part_of(Lattice lattice, const Block& block) {
+  for (auto* values : {&lattice.x, &lattice.y, &lattice.z}) *values = cut(*values, block, 1);
+  lattice.sides = block.sides(lattice.sides);
+  shape_of(lattice) = block.shape();
+  return lattice;
 }
 
 const std::vector<double>& first_x(const plan::Model& model) {

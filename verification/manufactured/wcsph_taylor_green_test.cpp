@@ -88,7 +88,9 @@ Decay run(const Vortices& vortices, Run wanted) {
   }
   Flow flow(std::move(particles), dx, settings);
   Decay decay{};
-  const auto record = [&] {
+  const double end = 1 / vortices.rate();
+  for (int part = 0; part <= 40; ++part) {
+    if (part > 0) march(flow, end * part / 40);
     double projection = 0, norm = 0, square = 0, error = 0;
     const double exact = std::exp(-vortices.rate() * flow.time());
     const Particles& p = flow.particles();
@@ -104,12 +106,6 @@ Decay run(const Vortices& vortices, Run wanted) {
     decay.kinetic.push_back(square / norm);
     decay.velocity_error = std::sqrt(error / norm);
     decay.steps = flow.steps();
-  };
-  record();
-  const double end = 1 / vortices.rate();
-  for (int part = 1; part <= 40; ++part) {
-    march(flow, end * part / 40);
-    record();
   }
   return decay;
 }
