@@ -63,8 +63,7 @@ TEST_CASE("sloshing water on a Lagrangian mesh conserves energy and areas with t
 Roundoff of_nodes(const HexahedralProblem& problem, double largest_arm) {
   const auto& mass = problem.model.nodes().mass();
   double squares = 0;
-  for (std::size_t i = 0; i < 3 * mass.size(); ++i)
-    squares += std::pow(mass[i % mass.size()] * problem.start.u[i], 2);
+  for (std::size_t i = 0; i < 3 * mass.size(); ++i) squares += std::pow(mass[i % mass.size()] * problem.start.u[i], 2);
   return {2.0 * 100, std::sqrt(squares) * largest_arm,
           "each velocity is rounded twice in each of 100 steps, at their middle and at their end; the roundings of all "
           "nodes' momenta (times their largest distance from the axis) add up as squares"};
