@@ -65,17 +65,17 @@ Check::~Check() {
   if (std::uncaught_exceptions() > exceptions_) record_.error = "the test ended by an exception";
   try {
     if (!assertions_.rows.empty()) {
-      record_.check(
-          {.id = "assertions",
-           .text = assertions_.rows.size() == 1 ? fmt::format("{}: the one assertion of the table holds.", record_.title)
-                                                : fmt::format("{}: all {} assertions of the table hold.", record_.title,
-                                                              assertions_.rows.size()),
-           .quantity = "largest part of a limit that is used",
-           .source = "table of assertions"},
-          {.value = used_.value()},
-          evidence::Bound{1,
-                          "each has its own limit and reason; round-off and presence count 0 where they are "
-                          "met, infinity where not"});
+      record_.check({.id = "assertions",
+                     .text = assertions_.rows.size() == 1
+                                 ? fmt::format("{}: the one assertion of the table holds.", record_.title)
+                                 : fmt::format("{}: all {} assertions of the table hold.", record_.title,
+                                               assertions_.rows.size()),
+                     .quantity = "largest part of a limit that is used",
+                     .source = "table of assertions"},
+                    {.value = used_.value()},
+                    evidence::Bound{1,
+                                    "each has its own limit and reason; round-off and presence count 0 where they are "
+                                    "met, infinity where not"});
       record_.table(std::move(assertions_));
     }
     evidence::write(record_, evidence_directory());

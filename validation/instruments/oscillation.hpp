@@ -27,8 +27,8 @@ struct Period {
 /// reaches nine tenths of the highest. Lags go up to half of the signal; what overlaps is correlated.
 Period period_of(std::span<const double> samples, double interval);
 
-/// Frequency omega [1/s] by least squares of a_{n+1} + a_{n-1} = (2 - omega^2 tau^2) a_n, with amplitudes a_n after steps
-/// of tau [s]: free of the time step of a symmetric scheme.
+/// Frequency omega [1/s] by least squares of a_{n+1} + a_{n-1} = (2 - omega^2 tau^2) a_n, with amplitudes a_n after
+/// steps of tau [s]: free of the time step of a symmetric scheme.
 double frequency_of(std::span<const double> amplitudes, double tau);
 
 double mean(std::span<const double> values);

@@ -5,8 +5,8 @@
 
 #include "seiche/models/dispersive_shallow_water_1d/channel.hpp"
 #include "seiche/shallow_water/relations.hpp"
+#include "verification/all_hold.hpp"
 #include "verification/check.hpp"
-#include "verification/manufactured/all_hold.hpp"
 
 namespace seiche::verification::dispersive_fronts_test {
 

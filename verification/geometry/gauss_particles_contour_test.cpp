@@ -6,8 +6,8 @@
 
 #include "seiche/models/gauss_particles/particles.hpp"
 #include "validation/instruments/particles/gauss_outline.hpp"
+#include "verification/all_hold.hpp"
 #include "verification/check.hpp"
-#include "verification/manufactured/all_hold.hpp"
 #include "verification/refinement.hpp"
 
 namespace seiche::verification::gauss_particles_contour_test {

@@ -10,9 +10,9 @@
 
 #include "seiche/models/overlapping_particles/model.hpp"
 #include "seiche/samples.hpp"
+#include "verification/all_hold.hpp"
 #include "verification/check.hpp"
 #include "verification/conservation/mechanical_problem.hpp"
-#include "verification/manufactured/all_hold.hpp"
 #include "verification/noise.hpp"
 
 namespace seiche::verification::overlapping_particles_test {

@@ -5,9 +5,9 @@
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include "seiche/samples.hpp"
+#include "verification/all_hold.hpp"
 #include "verification/check.hpp"
 #include "verification/geometry/moving_mesh.hpp"
-#include "verification/manufactured/all_hold.hpp"
 
 namespace seiche::verification::triangulation_test {
 

@@ -10,8 +10,8 @@
 #include "seiche/models/wcsph/scene.hpp"
 #include "seiche/models/wcsph/settings.hpp"
 #include "seiche/samples.hpp"
+#include "verification/all_hold.hpp"
 #include "verification/check.hpp"
-#include "verification/manufactured/all_hold.hpp"
 
 namespace seiche::verification::wcsph_scene_test {
 

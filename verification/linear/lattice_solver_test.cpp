@@ -13,9 +13,9 @@
 #include "seiche/linear/cosine_lattice.hpp"
 #include "seiche/linear/tridiagonal.hpp"
 #include "seiche/samples.hpp"
+#include "verification/all_hold.hpp"
 #include "verification/check.hpp"
 #include "verification/linear/mesh_matrix.hpp"
-#include "verification/manufactured/all_hold.hpp"
 
 namespace seiche::verification::lattice_solver_test {
 

@@ -7,8 +7,8 @@
 
 #include "seiche/linear/tridiagonal.hpp"
 #include "seiche/samples.hpp"
+#include "verification/all_hold.hpp"
 #include "verification/check.hpp"
-#include "verification/manufactured/all_hold.hpp"
 
 namespace seiche::verification::tridiagonal_test {
 

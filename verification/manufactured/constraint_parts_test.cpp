@@ -9,9 +9,9 @@
 #include "seiche/models/lagrangian_mesh_3d/model.hpp"
 #include "seiche/samples.hpp"
 #include "validation/instruments/mechanics/rigid_chain.hpp"
+#include "verification/all_hold.hpp"
 #include "verification/check.hpp"
 #include "verification/conservation/lagrangian_mesh_problems.hpp"
-#include "verification/manufactured/all_hold.hpp"
 
 namespace seiche::verification::constraint_parts_test {
 

@@ -8,8 +8,8 @@
 #include "seiche/samples.hpp"
 #include "validation/instruments/mechanics/reference_integrators.hpp"
 #include "validation/instruments/mechanics/rigid_chain.hpp"
+#include "verification/all_hold.hpp"
 #include "verification/check.hpp"
-#include "verification/manufactured/all_hold.hpp"
 #include "verification/timed_steps.hpp"
 
 namespace seiche::verification::integrator_parts_test {

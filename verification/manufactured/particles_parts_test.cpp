@@ -12,8 +12,8 @@
 #include "seiche/models/shallow_water_particles/particles.hpp"
 #include "seiche/models/shallow_water_particles/row_kernels.hpp"
 #include "seiche/samples.hpp"
+#include "verification/all_hold.hpp"
 #include "verification/check.hpp"
-#include "verification/manufactured/all_hold.hpp"
 #include "verification/noise.hpp"
 #include "verification/refinement.hpp"
 

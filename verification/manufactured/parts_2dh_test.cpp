@@ -14,9 +14,9 @@
 #include "seiche/lattice/water.hpp"
 #include "seiche/models/dispersive_shallow_water_2d/model.hpp"
 #include "seiche/samples.hpp"
+#include "verification/all_hold.hpp"
 #include "verification/check.hpp"
 #include "verification/conservation/dispersive_2dh_problems.hpp"
-#include "verification/manufactured/all_hold.hpp"
 #include "verification/polynomial_bottom.hpp"
 
 namespace seiche::verification::parts_2dh_test {

@@ -11,9 +11,9 @@
 #include "seiche/models/wcsph/kernel.hpp"
 #include "seiche/models/wcsph/settings.hpp"
 #include "seiche/samples.hpp"
+#include "verification/all_hold.hpp"
 #include "verification/check.hpp"
 #include "verification/lattice_sums.hpp"
-#include "verification/manufactured/all_hold.hpp"
 
 namespace seiche::verification::wcsph_kernel_test {
 

@@ -30,8 +30,9 @@ WantedTable wanted_profile(double start, double end, long cells, const std::func
 ProfilePoints points_of(const Profile& profile);
 Submitted submitted_profile(const Profile& profile);
 
-/// The submitted points, NaN for a quantity that was not submitted. @throws std::invalid_argument where they lie outside the channel, or farther apart than two
-/// cells: such points show less than the solver knows, and cannot be judged for it
+/// The submitted points, NaN for a quantity that was not submitted. @throws std::invalid_argument where they lie
+/// outside the channel, or farther apart than two cells: such points show less than the solver knows, and cannot be
+/// judged for it
 ProfilePoints submitted_points(const Submitted& submitted, double start, double end, double cell);
 
 /// Size of the cells that limits are for: the solver's own; where it does not say, the mean distance of its points, and
