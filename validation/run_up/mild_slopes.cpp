@@ -45,10 +45,10 @@ std::vector<EulerRunup> euler_runups(const std::vector<MeasuredWave>& waves) {
   return all;
 }
 
-std::vector<SmallWave> small_waves(const Values& values, double spacing) {
-  std::vector<SmallWave> all;
+std::vector<LowWave> small_waves(const Values& values, double spacing) {
+  std::vector<LowWave> all;
   for (const double cot_slope : {10.0, 3.732, 2.747}) {
-    SolitaryClimb climb = climb_from(values, cot_slope, SmallWave::amplitude, spacing);
+    SolitaryClimb climb = climb_from(values, cot_slope, LowWave::amplitude, spacing);
     climb.tip_mass = dispersive::TipMass::consistent;
     const auto with = [&](dispersive::Kinetics kinetics) {
       climb.kinetics = kinetics;
@@ -57,7 +57,7 @@ std::vector<SmallWave> small_waves(const Values& values, double spacing) {
     all.push_back({.cot_slope = cot_slope,
                    .frank = with(dispersive::Kinetics::frank),
                    .green_naghdi = with(dispersive::Kinetics::green_naghdi),
-                   .exact = exact::SolitaryRunup(1, 1, SmallWave::amplitude, cot_slope).highest().elevation});
+                   .exact = exact::SolitaryRunup(1, 1, LowWave::amplitude, cot_slope).highest().elevation});
   }
   return all;
 }
@@ -71,13 +71,13 @@ void claim_mild_slopes(const Claims<MildSlopes>& claims) {
           "largest |R/R_exact - 1|, A = 0.005",
           [](const MildSlopes& r) {
             Worst off;
-            for (const SmallWave& wave : r.small) {
+            for (const LowWave& wave : r.small) {
               off.add(wave.frank / wave.exact - 1, wave.cot_slope);
               off.add(wave.green_naghdi / wave.exact - 1, wave.cot_slope);
             }
             return off;
           },
-          Bound{.limit = SmallWave::amplitude,
+          Bound{.limit = LowWave::amplitude,
                 .reason = "the incident wave of the theory, sech^2 at the speed sqrt(g d), and its lack of dispersion "
                           "are errors of the order of A"});
   const auto meshes = claims.at("mesh: h1 = 0.5, 0.25, 0.125, extrapolated; finest spacing, tip V/6");

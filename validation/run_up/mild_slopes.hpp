@@ -26,17 +26,17 @@ struct EulerRunup : MeasuredWave {
 std::vector<EulerRunup> euler_runups(const std::vector<MeasuredWave>& waves);
 
 /// A wave so small that shallow-water theory holds to its height.
-struct SmallWave {
+struct LowWave {
   static constexpr double amplitude = 0.005;
   double cot_slope = 0;
   double frank = 0;  ///< run-up with the thesis's kinetic energy, tip V/6
   double green_naghdi = 0;
   double exact = 0;  ///< of the shallow-water equations
 };
-std::vector<SmallWave> small_waves(const Values& values, double spacing);
+std::vector<LowWave> small_waves(const Values& values, double spacing);
 
 struct MildSlopes {
-  std::vector<SmallWave> small;
+  std::vector<LowWave> small;
   std::vector<EulerRunup> euler;
 };
 /// What holds of run-up on mild slopes without friction.

@@ -79,7 +79,7 @@ TEST_CASE("implicit steps do not depend on the initial time or on the time loop"
       for (const bool to_a_time : {false, true}) {
         const auto [other, other_sweeps] = run(begin, to_a_time, composed);
         different += other.q == first.q && other.u == first.u ? 0 : 1;
-        most = std::max(most, other_sweeps);
+        if (other_sweeps > most) most = other_sweeps;
       }
     }
     const std::string id = composed ? "composed-" : "plain-", name = composed ? "Suzuki's composition" : "plain steps";
