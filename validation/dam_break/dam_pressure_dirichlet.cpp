@@ -140,9 +140,9 @@ void claims(const Values& values, const Claims<Results>& claims) {
           Bound{.limit = std::pow(std::numbers::pi / 2 / mesh_of_corner, 2) / 8,
                 .reason = "(k h)^2/8 of the gravest mode, k = pi/(2 H): the error of a second-order difference"});
   claims
-      .only_if(tabulated && (stabilisation == 0 || (stabilisation >= 0.001 && stabilisation <= 0.1)),
-               "with less the order changes from 2 to 1 with refinement; more than 0.1 smooths the pressure;  " +
-                   other_shape)
+      .only_if(
+          tabulated && (stabilisation == 0 || (stabilisation >= 0.001 && stabilisation <= 0.1)),
+          "with less the order changes from 2 to 1 with refinement; more than 0.1 smooths the pressure; " + other_shape)
       .at(fmt::format("h = H/{} to H/{}", coarsest, finest_of_order))
       .check(
           "order",

@@ -123,7 +123,7 @@ evidence::Record begun(const Options& options) {
   record.source = "validation/parallel/flows.cpp";
   record.article =
       std::string(options.layers > 0 ? "Layers of Lagrangian hexahedra" : "The 2DH model of dispersive shallow water") +
-      "on a grid distributed over processes (MPI); PETSc exchanges neighbour values and solves the system of all "
+      " on a grid distributed over processes (MPI); PETSc exchanges neighbour values and solves the system of all "
       "cells.";
   const Options standard;
   const auto keep = [&](const char* name, auto value, auto usual, const char* unit, const char* meaning) {
